@@ -1,0 +1,178 @@
+// A Vulkan 1.3 device that runs kernels over buffers and draws triangles off screen; nothing else.
+//
+//     gpu::Device device;                                          // lavapipe; every failure throws Error
+//     gpu::Kernel kernel = device.kernel(glsl::compile(sources, text, "saxpy", glsl::Stage::compute),
+//     "saxpy"); gpu::Buffer in = device.upload<float>(values), out = device.allocate(values.size() *
+//     sizeof(float)); device.run(kernel, {&in, &out}, {.threads = {n, 1, 1}});     // thread counts, never
+//     group counts std::vector<float> result = device.read<float>(out);
+//
+// A call returns when the device is done. One thread uses a device at a time; several threads make one each.
+#pragma once
+
+#include "runtime/glsl/compiler.h"
+#include "runtime/glsl/reflection.h"
+#include "runtime/gpu/instance.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace gnomon::gpu {
+
+struct Context;
+
+struct DeviceOptions {
+    std::string name;         ///< index or part of the name; empty: lavapipe
+    bool validation = false;  ///< Vulkan's validation layer; see take_validation_messages
+    double time_limit = 20.0; ///< seconds that one dispatch or draw may take
+};
+
+/// Bytes on the device. Moves, does not copy.
+class Buffer {
+public:
+    Buffer();
+    Buffer(Buffer&&) noexcept;
+    Buffer& operator=(Buffer&&) noexcept;
+    ~Buffer();
+    std::size_t size() const;
+
+private:
+    friend class Device;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// A compute pipeline; what it binds comes from reflection.
+class Kernel {
+public:
+    Kernel();
+    Kernel(Kernel&&) noexcept;
+    Kernel& operator=(Kernel&&) noexcept;
+    ~Kernel();
+    const glsl::Reflection& reflection() const;
+
+private:
+    friend class Device;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+enum class Format { rgba32_float, depth32_float };
+
+/// A render target.
+class Target {
+public:
+    Target();
+    Target(Target&&) noexcept;
+    Target& operator=(Target&&) noexcept;
+    ~Target();
+    std::uint32_t width() const;
+    std::uint32_t height() const;
+
+private:
+    friend class Device;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// A raster pipeline: triangles whose vertex shader pulls from storage buffers by gl_VertexIndex.
+class Raster {
+public:
+    Raster();
+    Raster(Raster&&) noexcept;
+    Raster& operator=(Raster&&) noexcept;
+    ~Raster();
+
+private:
+    friend class Device;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+struct RasterState {
+    std::vector<Format> colours; ///< one per fragment output
+    bool clamp_depth = false;    ///< triangles beyond near and far keep their coverage at the clamped depth
+};
+
+struct Dispatch {
+    std::array<std::uint32_t, 3> threads{1, 1, 1}; ///< kernels must ignore threads beyond: groups are whole
+    std::span<const std::byte> constants{};        ///< push constants
+};
+
+/// A plain value as push constants.
+template <typename T>
+std::span<const std::byte> bytes_of(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    return std::as_bytes(std::span(&value, 1));
+}
+
+class Device {
+public:
+    /// Throws Error (no driver, no such device, too old, out of memory) with the remedy.
+    explicit Device(const DeviceOptions& options = {});
+
+    const DeviceInfo& info() const;
+    std::uint32_t max_image_side() const;
+    std::uint32_t max_groups() const; ///< workgroups along x in one dispatch
+
+    // Memory. Contents of a fresh buffer are undefined. All throw Error when memory is exhausted.
+    Buffer allocate(std::size_t bytes);
+    void write(Buffer& buffer, std::span<const std::byte> bytes, std::size_t offset = 0);
+    void read(const Buffer& buffer, std::span<std::byte> bytes, std::size_t offset = 0);
+
+    template <typename T>
+    Buffer upload(std::span<const T> values) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        Buffer buffer = allocate(values.size_bytes());
+        write(buffer, std::as_bytes(values));
+        return buffer;
+    }
+    template <typename T>
+    Buffer upload(const std::vector<T>& values) {
+        return upload(std::span<const T>(values));
+    }
+    template <typename T>
+    std::vector<T> read(const Buffer& buffer) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        std::vector<T> values(buffer.size() / sizeof(T));
+        read(buffer, std::as_writable_bytes(std::span(values)));
+        return values;
+    }
+
+    // Compute.
+    Kernel kernel(const glsl::Spirv& words, std::string_view name);
+    /// `buffers` in ascending order of their bindings. Returns device nanoseconds.
+    /// Throws KernelTimeout; Error if the number of buffers or the bytes of constants are not what the kernel
+    /// declares.
+    double run(Kernel& kernel, std::initializer_list<const Buffer*> buffers, const Dispatch& dispatch);
+
+    // Raster.
+    Target target(std::uint32_t width, std::uint32_t height, Format format);
+    /// An empty `fragment` draws depth only.
+    Raster raster(const glsl::Spirv& vertex, const glsl::Spirv& fragment, const RasterState& state,
+                  std::string_view name);
+    /// Clears colours to 0 and depth to 1, then draws `vertices` / 3 triangles, both faces, nearer depth
+    /// wins.
+    double draw(Raster& raster, std::initializer_list<const Target*> colours, const Target& depth,
+                std::initializer_list<const Buffer*> buffers, std::uint32_t vertices,
+                std::span<const std::byte> constants = {});
+    /// Texels in row order: 16 bytes each for colours, 4 for depth.
+    Buffer texels(const Target& target);
+
+private:
+    std::shared_ptr<Context> context_;
+};
+
+/// True once a kernel has exceeded its time limit in this process: leave by std::_Exit, for the driver's
+/// threads do not end.
+bool any_device_lost();
+
+} // namespace gnomon::gpu
