@@ -1,0 +1,5 @@
+// A lit texel whose only shadowed neighbour lies towards +y: dark between that side and the line from the run's end to its
+// beginning.   [SMSR case 9]
+float smsr_case_09(vec2 p, float along_x) {
+    return 1.0 - p.y < along_x ? 0.0 : 1.0;
+}
