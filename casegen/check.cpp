@@ -1,0 +1,255 @@
+#include "casegen/check.h"
+
+#include "casegen/compare.h"
+#include "casegen/csv.h"
+#include "casegen/standalone.h"
+#include "runtime/error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <mutex>
+#include <thread>
+
+namespace gnomon {
+namespace {
+
+constexpr std::size_t samples_per_dispatch = std::size_t{1} << 18;
+
+/// Everything about a kernel that needs no device: made while the device starts.
+struct Prepared {
+    Sampler sampler;
+    glsl::Spirv words;
+    std::size_t samples;
+    Records first; ///< the first dispatch's inputs
+};
+
+Records draw_records(const Case& c, const Sampler& sampler, std::size_t begin, std::size_t end) {
+    Records records(c);
+    records.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i) {
+        const Sampler::Sample sample = sampler.draw(i);
+        records.add(sample.words, sample.mask);
+    }
+    return records;
+}
+
+Prepared prepare(const Case& c, const CheckOptions& options, const glsl::Sources& sources,
+                 const std::shared_ptr<const EdgePool>& pool, std::uint64_t seed) {
+    Sampler sampler(c, seed, pool, options.pins.empty() ? options.pins : options.pins / (c.name + ".csv"));
+    const std::size_t samples = std::max(options.samples, sampler.fixed_count());
+    glsl::Spirv words = compile_standalone(c, sources);
+    Records first = draw_records(c, sampler, 0, std::min(samples, samples_per_dispatch));
+    return {std::move(sampler), std::move(words), samples, std::move(first)};
+}
+
+Finding make_finding(const Case& c, const Sampler& sampler, std::size_t index,
+                     std::span<const std::uint32_t> got, double error) {
+    const Sampler::Sample sample = sampler.draw(index);
+    const Arguments with = arguments(c, sample.words, sample.mask);
+    Finding finding{index, sample.words, {}, {got.begin(), got.end()}, {}, in_domain(c, with), error};
+    if (sample.mask) finding.mask = *sample.mask;
+    if (finding.in_domain) finding.want = c.reference.call(with);
+    return finding;
+}
+
+/// Judges one dispatch's results and keeps the worst.
+void judge_all(const Case& c, const Sampler& sampler, std::size_t begin, const Records& records,
+               const Outputs& outputs, CheckReport& report) {
+    const auto components = static_cast<std::size_t>(c.reference.result.components);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const std::span<const std::uint32_t> got(outputs.words.data() + i * components, components);
+        const Agreement agreement = judge(c, arguments(c, records.input(i), records.mask(i)), got);
+        if (!agreement.pass) ++report.failures;
+        if (!report.worst || agreement.error > report.worst->error)
+            report.worst = make_finding(c, sampler, begin + i, got, agreement.error);
+    }
+    if (report.failures > 0) report.verdict = Verdict::wrong;
+}
+
+void run(const Case& c, const Prepared& prepared, gpu::Device& device, CheckReport& report) {
+    gpu::Kernel kernel = device.kernel(prepared.words, c.name);
+    report.samples = prepared.samples;
+    for (std::size_t begin = 0; begin < prepared.samples; begin += samples_per_dispatch) {
+        const std::size_t end = std::min(prepared.samples, begin + samples_per_dispatch);
+        Records drawn(c);
+        if (begin > 0) drawn = draw_records(c, prepared.sampler, begin, end);
+        const Records& records = begin == 0 ? prepared.first : drawn;
+        const Outputs outputs = run_standalone(device, kernel, c, records);
+        report.nanoseconds += outputs.nanoseconds / static_cast<double>(prepared.samples);
+        judge_all(c, prepared.sampler, begin, records, outputs, report);
+
+        const auto unwritten = std::ranges::find(outputs.unwritten, 1);
+        if (unwritten != outputs.unwritten.end()) {
+            const auto index = begin + static_cast<std::size_t>(unwritten - outputs.unwritten.begin());
+            report.verdict = Verdict::unwritten;
+            report.message = fmt::format("{} of {} results were never written",
+                                         std::ranges::count(outputs.unwritten, 1), records.size());
+            report.worst =
+                make_finding(c, prepared.sampler, index, {}, std::numeric_limits<double>::infinity());
+            return;
+        }
+        if (outputs.stray_write) {
+            report.verdict = Verdict::stray_write;
+            report.message = "memory before or behind the results was overwritten";
+            return;
+        }
+        if (outputs.unstable) {
+            report.verdict = Verdict::unstable;
+            report.message = "two runs over the same inputs gave different results";
+            return;
+        }
+    }
+}
+
+/// A device of a worker's own, started in the background and replaced when a kernel has hung it.
+class WorkerDevice {
+public:
+    explicit WorkerDevice(const gpu::DeviceOptions& options) : options_(options) { restart(); }
+    gpu::Device& get() {
+        if (starting_.valid()) device_.emplace(starting_.get());
+        return *device_;
+    }
+    void restart() {
+        starting_ = std::async(std::launch::async, [options = options_] { return gpu::Device(options); });
+    }
+
+private:
+    gpu::DeviceOptions options_;
+    std::future<gpu::Device> starting_;
+    std::optional<gpu::Device> device_;
+};
+
+CheckReport check_one(const Case& c, const CheckOptions& options, const glsl::Sources& sources,
+                      const std::shared_ptr<const EdgePool>& pool, WorkerDevice& device) {
+    CheckReport report;
+    report.kernel = &c;
+    report.seed = options.seed.value_or(default_seed(c.name));
+    try {
+        const Prepared prepared = prepare(c, options, sources, pool, report.seed);
+        run(c, prepared, device.get(), report);
+    } catch (const CompileError& error) {
+        report.verdict = Verdict::compile_error;
+        report.message = error.what();
+    } catch (const KernelTimeout& error) {
+        report.verdict = Verdict::timeout;
+        report.message = error.what();
+        device.restart();
+    }
+    return report;
+}
+
+} // namespace
+
+std::string to_string(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::pass:
+        return "pass";
+    case Verdict::wrong:
+        return "wrong";
+    case Verdict::unwritten:
+        return "unwritten";
+    case Verdict::stray_write:
+        return "stray write";
+    case Verdict::unstable:
+        return "unstable";
+    case Verdict::compile_error:
+        return "compile error";
+    case Verdict::timeout:
+        return "timeout";
+    }
+    return {};
+}
+
+std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOptions& options,
+                               const std::function<void(std::size_t)>& done) {
+    const glsl::Sources sources = kernel_sources(options.kernels);
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t jobs = std::min<std::size_t>(options.jobs > 0 ? options.jobs : cores, cases.size());
+    std::vector<CheckReport> reports(cases.size());
+    std::atomic<std::size_t> next = 0;
+    std::size_t finished = 0;
+    std::mutex mutex;
+    std::exception_ptr failure;
+
+    // Masks are the same for every kernel: one corpus, drawn from the seed that was given or from a fixed
+    // one.
+    std::promise<std::shared_ptr<const EdgePool>> pool_promise;
+    const std::shared_future<std::shared_ptr<const EdgePool>> pool = pool_promise.get_future().share();
+
+    const auto work = [&] {
+        try {
+            WorkerDevice device(options.device);
+            for (std::size_t i = next++; i < cases.size(); i = next++) {
+                reports[i] = check_one(*cases[i], options, sources, pool.get(), device);
+                const std::scoped_lock lock(mutex);
+                if (done) done(++finished);
+            }
+        } catch (...) {
+            const std::scoped_lock lock(mutex);
+            if (!failure) failure = std::current_exception();
+            next = cases.size();
+        }
+    };
+    std::vector<std::jthread> workers;
+    for (std::size_t i = 0; i < jobs; ++i) workers.emplace_back(work);
+    try {
+        pool_promise.set_value(
+            std::make_shared<const EdgePool>(make_edge_pool(options.seed.value_or(default_seed("masks")))));
+    } catch (...) {
+        pool_promise.set_exception(std::current_exception());
+    }
+    workers.clear();
+    if (failure) std::rethrow_exception(failure);
+    return reports;
+}
+
+std::string format_result(const Case& c, std::span<const std::uint32_t> words) {
+    if (words.empty()) return "nothing";
+    const Type type = c.reference.result;
+    std::vector<std::string> cells;
+    for (const std::uint32_t word : words) cells.push_back(format_word(type.scalar, word));
+    if (type.components == 1) return cells.front();
+    return fmt::format("{}({})", glsl_name(type), fmt::join(cells, ", "));
+}
+
+std::string format_result(const Case& c, const Numbers& numbers) {
+    std::vector<std::uint32_t> words;
+    for (int k = 0; k < c.reference.result.components; ++k)
+        words.push_back(narrow(c.reference.result.scalar, numbers[static_cast<std::size_t>(k)]));
+    return format_result(c, words);
+}
+
+std::string format_call(const Case& c, std::span<const std::uint32_t> input, const Mask* mask) {
+    std::vector<std::string> parts;
+    std::size_t word = 0;
+    for (std::size_t i = 0; i < c.parameters.size(); ++i) {
+        const Type type = c.reference.parameters[i];
+        std::vector<std::string> cells;
+        for (int k = 0; k < type.components; ++k) cells.push_back(format_word(type.scalar, input[word++]));
+        parts.push_back(type.components == 1 ? fmt::format("{} = {}", c.parameters[i].name, cells.front())
+                                             : fmt::format("{} = {}({})", c.parameters[i].name,
+                                                           glsl_name(type), fmt::join(cells, ", ")));
+    }
+    std::string call = fmt::format("{}({})", function_name(c), fmt::join(parts, ", "));
+    if (mask)
+        call += fmt::format(" on a mask of {} x {}, {} outside", mask->width, mask->height,
+                            to_string(mask->outside));
+    return call;
+}
+
+std::string replay_command(const Case& c, const Finding& finding) {
+    std::vector<std::string> cells;
+    if (finding.mask) cells = {format_mask(*finding.mask, '/'), to_string(finding.mask->outside)};
+    std::size_t word = 0;
+    for (const Type& type : c.reference.parameters)
+        for (int k = 0; k < type.components; ++k)
+            cells.push_back(format_word(type.scalar, finding.input[word++]));
+    return fmt::format("gnomon eval {} --reference --at '{}'", c.name, fmt::join(cells, ","));
+}
+
+} // namespace gnomon

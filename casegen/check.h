@@ -1,0 +1,75 @@
+// Checking kernels: every sample on the device, judged against the reference.
+#pragma once
+
+#include "casegen/catalogue.h"
+#include "casegen/sampling.h"
+#include "runtime/gpu/device.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+struct CheckOptions {
+    std::filesystem::path kernels;     ///< the folder that holds <name>.glsl
+    std::filesystem::path pins;        ///< the folder that holds <name>.csv; may be empty
+    std::size_t samples = 65536;       ///< per kernel; pins and hostile values are run even if they are more
+    std::optional<std::uint64_t> seed; ///< for every kernel; else each has its own, its name's hash
+    gpu::DeviceOptions device;
+    unsigned jobs = 0; ///< worker threads, each with its own device; 0: one per core
+};
+
+enum class Verdict {
+    pass,
+    wrong,         ///< a result outside the tolerance, outside its range, or NaN
+    unwritten,     ///< a result that the kernel never wrote
+    stray_write,   ///< memory beside the results was overwritten
+    unstable,      ///< two runs over the same inputs differ
+    compile_error, ///< the message says where
+    timeout,       ///< did not end within the device's time limit
+};
+std::string to_string(Verdict verdict);
+
+/// One input and what became of it.
+struct Finding {
+    std::size_t index = 0; ///< the sample's number
+    std::vector<std::uint32_t> input;
+    std::optional<Mask> mask;
+    std::vector<std::uint32_t> got;
+    Numbers want{};
+    bool in_domain = true; ///< else only the range was asked for
+    double error = 0;
+};
+
+struct CheckReport {
+    const Case* kernel = nullptr;
+    Verdict verdict = Verdict::pass;
+    std::uint64_t seed = 0;
+    std::size_t samples = 0;
+    std::size_t failures = 0;
+    std::optional<Finding> worst; ///< the largest error, on a pass too; the first of equals
+    double nanoseconds = 0;       ///< per evaluation
+    std::string message;          ///< why it failed, when there is no finding to show
+};
+
+/// Reports in the order of `cases`, the same whatever the number of jobs (but for `nanoseconds`). `done` is
+/// called from worker threads, one at a time, with the number of kernels that are finished. A kernel that
+/// fails does not stop the others. Throws Error for what concerns all of them: no device, a malformed file of
+/// pins.
+std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOptions& options,
+                               const std::function<void(std::size_t)>& done = {});
+
+/// "smsr_case_09(p = vec2(0x1.8p-1, 0x0p+0), along_x = 0x1p-1)"; a mask is appended as text.
+std::string format_call(const Case& c, std::span<const std::uint32_t> input, const Mask* mask);
+/// "0x1p+0", "vec2(…)": a result's words; and the reference's value in the same form.
+std::string format_result(const Case& c, std::span<const std::uint32_t> words);
+std::string format_result(const Case& c, const Numbers& numbers);
+/// The command that runs this very input again and shows result and reference.
+std::string replay_command(const Case& c, const Finding& finding);
+
+} // namespace gnomon

@@ -1,0 +1,91 @@
+#include "casegen/compare.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace gnomon {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double error_of(const Tolerance& tolerance, double got, double want, Scalar scalar) {
+    if (std::isnan(got) || std::isnan(want)) return infinity;
+    if (got == want) return 0;
+    if (scalar != Scalar::float32) return std::abs(got - want);
+    const double difference = std::abs(got - want);
+    const double in_ulps = ulps_between(static_cast<float>(got), static_cast<float>(want));
+    switch (tolerance.kind) {
+    case Tolerance::Kind::exact:
+        return in_ulps == 0 ? 0 : difference; // the reference rounded to float
+    case Tolerance::Kind::ulps:
+        return in_ulps;
+    case Tolerance::Kind::absolute:
+    case Tolerance::Kind::input_within:
+        break;
+    }
+    return difference;
+}
+
+/// The smallest of a few distances d at which the reference gives `got` for some input whose float components
+/// are moved by -d, 0 or +d; infinity if it does so nowhere.
+double input_distance(const Case& c, const Arguments& arguments, const Numbers& got, double farthest) {
+    std::vector<std::size_t> moved;
+    std::size_t word = 0;
+    for (const Type& type : c.reference.parameters)
+        for (int k = 0; k < type.components; ++k, ++word)
+            if (type.scalar == Scalar::float32) moved.push_back(word);
+    std::size_t combinations = 1;
+    for (std::size_t i = 0; i < moved.size(); ++i) combinations *= 3;
+    for (const double fraction : {0.125, 0.25, 0.5, 1.0}) {
+        const double distance = fraction * farthest;
+        for (std::size_t n = 1; n < combinations; ++n) {
+            Arguments near = arguments;
+            std::size_t rest = n;
+            for (const std::size_t w : moved) {
+                near.numbers[w] += distance * (rest % 3 == 1 ? -1 : rest % 3 == 2 ? 1 : 0);
+                rest /= 3;
+            }
+            const Numbers want = c.reference.call(near);
+            if (std::equal(want.begin(), want.begin() + c.reference.result.components, got.begin()))
+                return distance;
+        }
+    }
+    return infinity;
+}
+
+} // namespace
+
+double ulps_between(float a, float b) {
+    if (std::isnan(a) || std::isnan(b)) return infinity;
+    if (a == b) return 0;
+    if (std::isinf(a) || std::isinf(b)) return infinity;
+    const auto ordered = [](float f) { // monotone over all finite floats, -0 and +0 alike
+        const auto bits = std::bit_cast<std::int32_t>(f);
+        return static_cast<std::int64_t>(bits >= 0 ? bits : std::numeric_limits<std::int32_t>::min() - bits);
+    };
+    return static_cast<double>(std::llabs(ordered(a) - ordered(b)));
+}
+
+Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::uint32_t> result) {
+    const Type type = c.reference.result;
+    const auto components = static_cast<std::size_t>(type.components);
+    Numbers got{};
+    for (std::size_t k = 0; k < components; ++k) {
+        got[k] = widen(type.scalar, result[k]);
+        if (!(got[k] >= c.result.lower && got[k] <= c.result.upper)) return {false, infinity};
+    }
+    if (!in_domain(c, arguments)) return {true, 0};
+    const Numbers want = c.reference.call(arguments);
+    double error = 0;
+    for (std::size_t k = 0; k < components; ++k)
+        error = std::max(error, error_of(c.tolerance, got[k], want[k], type.scalar));
+    if (c.tolerance.kind != Tolerance::Kind::input_within) return {error <= c.tolerance.amount, error};
+    if (error == 0) return {true, 0};
+    const double distance = input_distance(c, arguments, got, c.tolerance.amount);
+    return {distance <= c.tolerance.amount, distance};
+}
+
+} // namespace gnomon

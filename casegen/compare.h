@@ -1,0 +1,26 @@
+// Whether a result agrees with the reference, and by how much it does not.
+#pragma once
+
+#include "casegen/kernel_case.h"
+
+#include <cstdint>
+#include <span>
+
+namespace gnomon {
+
+struct Agreement {
+    bool pass = false;
+    /// In the tolerance's own unit (ulps, absolute, distance of the input); infinity where no such number
+    /// exists.
+    double error = 0;
+};
+
+/// Floats from a to b: 0 for equal values (+0 and -0 are), infinity if one of them is NaN or they differ in
+/// being infinite.
+double ulps_between(float a, float b);
+
+/// The case's verdict on result words for one input. NaN never passes, nor does anything outside the result's
+/// range, whatever the input; agreement with the reference is asked for on the case's domain only.
+Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::uint32_t> result);
+
+} // namespace gnomon

@@ -1,0 +1,215 @@
+// A case: one kernel, declared once. Unit test, check, eval, describe and the assembled pipeline read the
+// same declaration.
+//
+// The reference's C++ signature is the kernel's GLSL signature with double for float:
+//     double (glm::dvec2 p, double along_x)                 float smsr_case_09(vec2 p, float along_x)
+//     int (const Mask&, glm::ivec2 texel, glm::uvec2 sides) int f(ivec2 texel, uvec2 sides), which may call
+//     lit(ivec2)
+// From it come the record that a sample is stored in, the generated main() and the columns of a CSV file.
+#pragma once
+
+#include "casegen/mask.h"
+#include "casegen/reference/revectorize.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+enum class Scalar { float32, int32, uint32, boolean };
+
+/// A GLSL type: a scalar or a vector of 2 to 4.
+struct Type {
+    Scalar scalar = Scalar::float32;
+    int components = 1;
+    friend bool operator==(const Type&, const Type&) = default;
+};
+
+/// "vec2", "uint", …
+std::string glsl_name(Type type);
+
+/// The values a parameter takes: an interval per component, or a list of whole values.
+struct Domain {
+    double lower = 0, upper = 1;
+    std::vector<std::vector<double>>
+        choices; ///< if not empty, these and no others (one number per component)
+};
+
+struct Parameter {
+    std::string name; ///< as in the kernel's text; facts of a mask are matched by it (see Facts)
+    Domain domain;
+    std::string unit, meaning;
+};
+
+struct Result {
+    double lower = 0, upper = 1; ///< every result lies within, whatever the input
+    std::string unit, meaning;
+};
+
+/// How far a result may be from the reference's. NaN never passes.
+struct Tolerance {
+    enum class Kind { exact, ulps, absolute, input_within };
+    Kind kind = Kind::exact;
+    double amount = 0;
+};
+inline Tolerance exact() { return {}; }
+/// At most n floats between the result and the reference rounded to float.
+inline Tolerance ulps(double n) { return {Tolerance::Kind::ulps, n}; }
+inline Tolerance absolute(double e) { return {Tolerance::Kind::absolute, e}; }
+/// A step kernel may answer as if each of its float inputs were up to d away.
+inline Tolerance input_within(double d) { return {Tolerance::Kind::input_within, d}; }
+std::string to_string(const Tolerance& tolerance);
+
+/// What a reference is called with: every component of every parameter, widened to double, and the mask if it
+/// takes one.
+struct Arguments {
+    std::array<double, 16> numbers{};
+    const Mask* mask = nullptr;
+};
+using Numbers = std::array<double, 4>; ///< a result's components
+
+/// A reference with its signature, made from a function or a lambda without captures.
+struct Reference {
+    Type result;
+    std::vector<Type> parameters; ///< without the mask
+    bool takes_mask = false;
+    std::function<Numbers(const Arguments&)> call;
+
+    Reference() = default;
+    template <typename Function>
+    Reference(Function function); // NOLINT: a table entry reads `.reference = [](…) {…}`
+};
+
+/// What a texel of a mask and a point in it say about a kernel's parameters, by their names: `texel`, `p`,
+/// `sides`, `side_x`, `side_y`, `reach`, `type`, `dominant`, `along_x`, `along_y`, `heading`, `c`.
+struct Facts {
+    glm::ivec2 texel{0};
+    glm::dvec2 p{0};
+    reference::Edge edge;
+    bool along_y =
+        false; ///< for what exists once per axis (`reach` of one run, its `c`, `heading`): the y axis
+};
+/// The components of parameter `name`, or nothing if facts do not speak of it.
+std::vector<double> fact(const Facts& facts, const std::string& name);
+
+struct Case {
+    std::string name;   ///< "smsr/case_09": the file kernels/smsr/case_09.glsl, the function smsr_case_09
+    std::string source; ///< document, equation or case
+    Reference reference;
+    std::vector<Parameter> parameters; ///< as many as the reference takes, in its order
+    Result result;
+    Tolerance tolerance;
+    /// Inputs that the kernel is defined on, beyond its parameters' domains (they depend on each other);
+    /// optional.
+    std::function<bool(const Arguments&)> where;
+    /// The edges of a mask that lead to this kernel; optional, any edge if empty.
+    std::function<bool(const reference::Edge&)> applies;
+    /// The number that the decision list of its family gives it; 0 if it is not chosen by one.
+    unsigned number = 0;
+};
+
+/// "smsr_case_09".
+std::string function_name(const Case& c);
+
+/// Components of all parameters: the words of a record without the mask's.
+std::size_t word_count(const Case& c);
+
+/// Column names of a CSV file: `mask`, `outside` if the kernel takes a mask, then `along_x`, `p_x`, `p_y`, …
+std::vector<std::string> columns(const Case& c);
+
+/// Whether the arguments lie in every parameter's domain and satisfy `where`.
+bool in_domain(const Case& c, const Arguments& arguments);
+
+/// Words are what the device sees: floats as their bits.
+double widen(Scalar scalar, std::uint32_t word);
+std::uint32_t narrow(Scalar scalar, double number);
+Arguments arguments(const Case& c, std::span<const std::uint32_t> words, const Mask* mask);
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+template <typename T>
+struct Glsl; // the GLSL type of a C++ one, and the way to and from doubles
+
+template <typename T, Scalar S>
+struct GlslScalar {
+    static constexpr Type type{S, 1};
+    static T get(const double* numbers) { return static_cast<T>(numbers[0]); }
+    static void put(T value, Numbers& numbers) { numbers[0] = static_cast<double>(value); }
+};
+template <>
+struct Glsl<double> : GlslScalar<double, Scalar::float32> {};
+template <>
+struct Glsl<int> : GlslScalar<int, Scalar::int32> {};
+template <>
+struct Glsl<unsigned> : GlslScalar<unsigned, Scalar::uint32> {};
+template <>
+struct Glsl<bool> : GlslScalar<bool, Scalar::boolean> {};
+template <int N, typename T>
+struct Glsl<glm::vec<N, T, glm::defaultp>> {
+    static constexpr Type type{Glsl<T>::type.scalar, N};
+    static glm::vec<N, T, glm::defaultp> get(const double* numbers) {
+        glm::vec<N, T, glm::defaultp> value;
+        for (int i = 0; i < N; ++i) value[i] = static_cast<T>(numbers[i]);
+        return value;
+    }
+    static void put(const glm::vec<N, T, glm::defaultp>& value, Numbers& numbers) {
+        for (int i = 0; i < N; ++i) numbers[static_cast<std::size_t>(i)] = static_cast<double>(value[i]);
+    }
+};
+
+template <typename T>
+using Plain = std::remove_cvref_t<T>;
+
+/// Reads the next parameter and steps over its components.
+template <typename T>
+Plain<T> next(const double*& numbers) {
+    const Plain<T> value = Glsl<Plain<T>>::get(numbers);
+    numbers += Glsl<Plain<T>>::type.components;
+    return value;
+}
+
+template <typename R, typename... A>
+void make(Reference& reference, R (*function)(A...)) {
+    reference.result = Glsl<R>::type;
+    reference.parameters = {Glsl<Plain<A>>::type...};
+    reference.call = [function](const Arguments& arguments) {
+        const double* numbers = arguments.numbers.data();
+        std::tuple<Plain<A>...> values{next<A>(numbers)...}; // braces: evaluated left to right
+        Numbers result{};
+        Glsl<R>::put(std::apply(function, std::move(values)), result);
+        return result;
+    };
+}
+
+template <typename R, typename... A>
+void make(Reference& reference, R (*function)(const Mask&, A...)) {
+    reference.result = Glsl<R>::type;
+    reference.parameters = {Glsl<Plain<A>>::type...};
+    reference.takes_mask = true;
+    reference.call = [function](const Arguments& arguments) {
+        const double* numbers = arguments.numbers.data();
+        std::tuple<Plain<A>...> values{next<A>(numbers)...};
+        Numbers result{};
+        Glsl<R>::put(
+            std::apply([&](auto&&... a) { return function(*arguments.mask, a...); }, std::move(values)),
+            result);
+        return result;
+    };
+}
+
+} // namespace detail
+
+template <typename Function>
+Reference::Reference(Function function) {
+    detail::make(*this, +function);
+}
+
+} // namespace gnomon

@@ -1,0 +1,224 @@
+#include "casegen/sampling.h"
+
+#include "casegen/csv.h"
+#include "casegen/mask_families.h"
+
+#include <algorithm>
+#include <bit>
+#include <cfloat>
+#include <cmath>
+#include <limits>
+
+namespace gnomon {
+namespace {
+
+constexpr int mask_size = 32;
+constexpr int members_per_family = 6;
+constexpr std::size_t most_combinations = 4096;
+
+/// A float in [lower, upper]. A third each: uniform; over bit patterns, so that every decade has its share;
+/// multiples of a power of two, where ties and cancellations live.
+double draw_float(Random& random, double lower, double upper) {
+    switch (random.below(3)) {
+    case 0:
+        break;
+    case 1: {
+        const auto low = std::bit_cast<std::uint32_t>(static_cast<float>(lower));
+        const auto high = std::bit_cast<std::uint32_t>(static_cast<float>(upper));
+        if (lower < 0 || high <= low) break; // patterns are ordered for positive numbers only
+        return static_cast<double>(std::bit_cast<float>(low + random.below(high - low + 1)));
+    }
+    default: {
+        const int steps = 1 << random.between(0, 8);
+        return lower + (upper - lower) * random.between(0, steps) / steps;
+    }
+    }
+    const auto drawn = static_cast<double>(static_cast<float>(lower + (upper - lower) * random.unit()));
+    return std::clamp(drawn, lower, upper); // rounding to float may leave the interval
+}
+
+std::vector<std::uint32_t> hostile_words(Scalar scalar, const Domain& domain, std::size_t component) {
+    std::vector<std::uint32_t> words;
+    const auto add = [&](double number) { words.push_back(narrow(scalar, number)); };
+    for (const std::vector<double>& choice : domain.choices) add(choice[component]);
+    switch (scalar) {
+    case Scalar::float32: {
+        const auto lower = static_cast<float>(domain.lower), upper = static_cast<float>(domain.upper);
+        const float infinity = std::numeric_limits<float>::infinity();
+        for (const float v : {lower, upper, std::nextafter(lower, infinity), std::nextafter(upper, -infinity),
+                              std::nextafter(lower, -infinity), std::nextafter(upper, infinity),
+                              0.5f * (lower + upper), 0.0f, -0.0f, FLT_TRUE_MIN, FLT_MIN, FLT_MAX, -FLT_MAX,
+                              infinity, -infinity, std::numeric_limits<float>::quiet_NaN()})
+            words.push_back(std::bit_cast<std::uint32_t>(v));
+        break;
+    }
+    case Scalar::int32:
+        for (const double v :
+             {domain.lower, domain.upper, domain.lower - 1, domain.upper + 1, 0.0, 1.0, -1.0})
+            add(v);
+        break;
+    case Scalar::uint32:
+        for (const double v : {domain.lower, domain.upper, domain.upper + 1}) add(v);
+        words.push_back(0xffffffffu);
+        break;
+    case Scalar::boolean:
+        words = {0u, 1u};
+        break;
+    }
+    std::ranges::sort(words);
+    const auto repeated = std::ranges::unique(words);
+    words.erase(repeated.begin(), repeated.end());
+    return words;
+}
+
+} // namespace
+
+EdgePool make_edge_pool(std::uint64_t seed) {
+    EdgePool pool;
+    for (NamedMask& named : mask_corpus(seed, members_per_family, mask_size)) {
+        const Mask& mask = named.mask;
+        const auto index = static_cast<std::uint32_t>(pool.masks.size());
+        for (int y = 0; y < mask.height; ++y)
+            for (int x = 0; x < mask.width; ++x)
+                if (reference::discontinuity(mask, {x, y}) != glm::uvec2(0))
+                    pool.entries.push_back({index, {x, y}, reference::edge(mask, {x, y})});
+        pool.masks.push_back(std::move(named.mask));
+    }
+    return pool;
+}
+
+Sampler::Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePool> pool,
+                 const std::filesystem::path& pins)
+    : case_(c), seed_(seed), pool_(std::move(pool)) {
+    // A case of a decision list is met at lit texels only; where the shadow test is turned round it would
+    // mean another edge.
+    for (std::uint32_t i = 0; i < pool_->entries.size(); ++i) {
+        const EdgePool::Entry& entry = pool_->entries[i];
+        if (case_.applies &&
+            !(pool_->masks[entry.mask].lit(entry.texel.x, entry.texel.y) && case_.applies(entry.edge)))
+            continue;
+        chosen_.push_back(i);
+    }
+    if (!pins.empty() && std::filesystem::exists(pins)) {
+        for (CsvInput& row : read_inputs(c, pins)) {
+            pinned_.push_back(std::move(row.words));
+            if (c.reference.takes_mask) pinned_masks_.push_back(std::move(row.mask));
+        }
+    }
+    make_hostile();
+}
+
+const Mask& Sampler::mask(std::size_t index) const {
+    const std::size_t pooled = pool_->masks.size();
+    return index < pooled ? pool_->masks[index] : pinned_masks_[index - pooled];
+}
+
+/// Every combination of every component's hostile values if these are few; else each of them amid ordinary
+/// ones, then combinations at random.
+void Sampler::make_hostile() {
+    std::vector<std::vector<std::uint32_t>> values;
+    std::size_t combinations = 1;
+    for (std::size_t i = 0; i < case_.parameters.size(); ++i) {
+        const Type type = case_.reference.parameters[i];
+        for (int k = 0; k < type.components; ++k) {
+            values.push_back(
+                hostile_words(type.scalar, case_.parameters[i].domain, static_cast<std::size_t>(k)));
+            combinations = std::min(combinations * values.back().size(), most_combinations + 1);
+        }
+    }
+    if (combinations <= most_combinations) {
+        for (std::size_t n = 0; n < combinations; ++n) {
+            std::vector<std::uint32_t> words;
+            std::size_t rest = n;
+            for (const std::vector<std::uint32_t>& of_component : values) {
+                words.push_back(of_component[rest % of_component.size()]);
+                rest /= of_component.size();
+            }
+            hostile_.push_back(std::move(words));
+        }
+        return;
+    }
+    Random random(seed_, ~std::uint64_t{0});
+    for (std::size_t component = 0; component < values.size(); ++component)
+        for (const std::uint32_t value : values[component])
+            for (int repeat = 0; repeat < 8; ++repeat) {
+                Sample sample;
+                draw_abstract(random, sample);
+                sample.words[component] = value;
+                hostile_.push_back(std::move(sample.words));
+            }
+    for (std::size_t n = 0; n < most_combinations / 2; ++n) {
+        std::vector<std::uint32_t> words;
+        for (const std::vector<std::uint32_t>& of_component : values)
+            words.push_back(of_component[random.below(static_cast<std::uint32_t>(of_component.size()))]);
+        hostile_.push_back(std::move(words));
+    }
+}
+
+Sampler::Sample Sampler::draw(std::size_t index) const {
+    Sample sample;
+    Random random(seed_, index);
+    if (index < pinned_.size()) {
+        sample.words = pinned_[index];
+        sample.mask_index = static_cast<std::uint32_t>(pool_->masks.size() + index);
+    } else if (index < fixed_count()) {
+        sample.words = hostile_[index - pinned_.size()];
+        sample.mask_index = random.below(static_cast<std::uint32_t>(pool_->masks.size()));
+    } else if (index % 2 == 1 && !chosen_.empty()) {
+        draw_from_mask(random, sample);
+    } else {
+        draw_abstract(random, sample);
+    }
+    if (case_.reference.takes_mask)
+        sample.mask = &mask(sample.mask_index);
+    else
+        sample.mask_index = 0;
+    return sample;
+}
+
+void Sampler::draw_abstract(Random& random, Sample& sample) const {
+    sample.mask_index = random.below(static_cast<std::uint32_t>(pool_->masks.size()));
+    for (std::size_t i = 0; i < case_.parameters.size(); ++i) {
+        const Domain& domain = case_.parameters[i].domain;
+        const Type type = case_.reference.parameters[i];
+        if (!domain.choices.empty()) {
+            for (const double v :
+                 domain.choices[random.below(static_cast<std::uint32_t>(domain.choices.size()))])
+                sample.words.push_back(narrow(type.scalar, v));
+            continue;
+        }
+        const bool texel = case_.parameters[i].name == "texel"; // in the map, or just beyond its border
+        for (int k = 0; k < type.components; ++k) {
+            double number = 0;
+            if (texel)
+                number = random.between(-2, mask_size + 1);
+            else if (type.scalar == Scalar::float32)
+                number = draw_float(random, domain.lower, domain.upper);
+            else
+                number = random.between(static_cast<int>(domain.lower), static_cast<int>(domain.upper));
+            sample.words.push_back(narrow(type.scalar, number));
+        }
+    }
+}
+
+void Sampler::draw_from_mask(Random& random, Sample& sample) const {
+    draw_abstract(random, sample); // for the parameters that a mask says nothing about
+    const EdgePool::Entry& entry =
+        pool_->entries[chosen_[random.below(static_cast<std::uint32_t>(chosen_.size()))]];
+    sample.mask_index = entry.mask;
+    Facts facts;
+    facts.texel = entry.texel;
+    facts.p = {draw_float(random, 0, 1), draw_float(random, 0, 1)};
+    facts.edge = entry.edge;
+    facts.along_y = random.chance(0.5);
+    std::size_t word = 0;
+    for (std::size_t i = 0; i < case_.parameters.size(); ++i) {
+        const Type type = case_.reference.parameters[i];
+        const std::vector<double> numbers = fact(facts, case_.parameters[i].name);
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+            sample.words[word + k] = narrow(type.scalar, numbers[k]);
+        word += static_cast<std::size_t>(type.components);
+    }
+}
+
+} // namespace gnomon

@@ -1,0 +1,68 @@
+// The inputs that a kernel is run on: pins, hostile values, then random ones, abstract and from masks in
+// turn. Sample i of a seed is the same bits whatever else is drawn, on any machine and number of threads.
+#pragma once
+
+#include "casegen/kernel_case.h"
+#include "casegen/random.h"
+#include "runtime/files.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace gnomon {
+
+/// Edge texels of a corpus of masks, with what surrounds them: where inputs "from masks" come from.
+struct EdgePool {
+    struct Entry {
+        std::uint32_t mask;
+        glm::ivec2 texel;
+        reference::Edge edge;
+    };
+    std::vector<Mask> masks;
+    std::vector<Entry> entries; ///< lit and shadowed texels with at least one side that differs
+};
+EdgePool make_edge_pool(std::uint64_t seed);
+
+/// One case's samples, drawn on demand by index.
+class Sampler {
+public:
+    /// `pins`: a CSV file with the case's columns whose rows come first, or a path where no file is. Throws
+    /// Error naming file, row and column if it is malformed.
+    Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePool> pool,
+            const std::filesystem::path& pins = {});
+
+    struct Sample {
+        std::vector<std::uint32_t> words; ///< word_count(case) of them
+        const Mask* mask = nullptr;       ///< lives as long as the sampler
+        std::uint32_t mask_index = 0;     ///< into masks()
+    };
+    Sample draw(std::size_t index) const;
+
+    /// Pins and hostile values: every run begins with all of them.
+    std::size_t fixed_count() const { return pinned_.size() + hostile_.size(); }
+
+    /// The pool's masks, then the pins'.
+    std::size_t mask_count() const { return pool_->masks.size() + pinned_masks_.size(); }
+    const Mask& mask(std::size_t index) const;
+
+    std::uint64_t seed() const { return seed_; }
+
+private:
+    void draw_abstract(Random& random, Sample& sample) const;
+    void draw_from_mask(Random& random, Sample& sample) const;
+    void make_hostile();
+
+    const Case& case_;
+    std::uint64_t seed_;
+    std::shared_ptr<const EdgePool> pool_;
+    std::vector<std::uint32_t> chosen_; ///< entries of the pool that the case applies to
+    std::vector<std::vector<std::uint32_t>> hostile_, pinned_;
+    std::vector<Mask> pinned_masks_; ///< one per pin if the case takes a mask
+};
+
+/// The seed of a kernel that was given none: its name's hash.
+inline std::uint64_t default_seed(const std::string& name) { return hash(name); }
+
+} // namespace gnomon

@@ -1,0 +1,204 @@
+#include "casegen/standalone.h"
+
+#include "casegen/catalogue.h"
+#include "runtime/error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace gnomon {
+namespace {
+
+constexpr std::uint32_t guard_words = 256;
+constexpr const char* generated_name = "<main>";
+
+// The hook that kernels of revectorisation see a map through, over masks packed one bit per texel, rows
+// unpadded.
+constexpr const char* mask_hook = R"(
+layout(std430, binding = 2) readonly buffer Masks { uint mask_bits[]; };
+uint mask_first;
+ivec2 mask_size;
+uint mask_outside;
+bool lit(ivec2 texel) {
+    if (mask_outside == 0u) texel = clamp(texel, ivec2(0), mask_size - 1);
+    else if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, mask_size))) return mask_outside == 1u;
+    uint bit = uint(texel.y * mask_size.x + texel.x);
+    return ((mask_bits[mask_first + (bit >> 5)] >> (bit & 31u)) & 1u) != 0u;
+}
+)";
+
+std::string word_expression(std::size_t word) {
+    return fmt::format("inputs[record + {}u].{}", word / 4, "xyzw"[word % 4]);
+}
+
+std::string from_word(Scalar scalar, const std::string& word) {
+    switch (scalar) {
+    case Scalar::float32:
+        return fmt::format("uintBitsToFloat({})", word);
+    case Scalar::int32:
+        return fmt::format("int({})", word);
+    case Scalar::boolean:
+        return fmt::format("{} != 0u", word);
+    case Scalar::uint32:
+        break;
+    }
+    return word;
+}
+
+std::string to_word(Scalar scalar, const std::string& value) {
+    switch (scalar) {
+    case Scalar::float32:
+        return fmt::format("floatBitsToUint({})", value);
+    case Scalar::int32:
+    case Scalar::boolean:
+        return fmt::format("uint({})", value);
+    case Scalar::uint32:
+        break;
+    }
+    return value;
+}
+
+std::string signature(const Case& c) {
+    std::vector<std::string> parameters;
+    for (std::size_t i = 0; i < c.parameters.size(); ++i)
+        parameters.push_back(glsl_name(c.reference.parameters[i]) + " " + c.parameters[i].name);
+    return fmt::format("{} {}({})", glsl_name(c.reference.result), function_name(c),
+                       fmt::join(parameters, ", "));
+}
+
+std::size_t record_words(const Case& c) {
+    const std::size_t words = word_count(c) + (c.reference.takes_mask ? 4 : 0);
+    return std::max<std::size_t>(4, (words + 3) / 4 * 4);
+}
+
+/// Poison that cannot be mistaken for a result twice: the two runs use different ones.
+constexpr std::uint32_t poison[2] = {0xffc0ffeeu, 0x7fdeadbeu};
+
+} // namespace
+
+glsl::Sources kernel_sources(const std::filesystem::path& kernels) { return {kernels, generated_sources()}; }
+
+std::string standalone_source(const Case& c) {
+    std::string arguments, writes;
+    std::size_t word = 0;
+    for (std::size_t i = 0; i < c.parameters.size(); ++i) {
+        const Type type = c.reference.parameters[i];
+        std::vector<std::string> components;
+        for (int k = 0; k < type.components; ++k)
+            components.push_back(from_word(type.scalar, word_expression(word++)));
+        arguments += fmt::format("{}{}({})", i > 0 ? ", " : "", glsl_name(type), fmt::join(components, ", "));
+    }
+    std::string mask_setup;
+    if (c.reference.takes_mask)
+        mask_setup =
+            fmt::format("    mask_first = {};\n    mask_size = ivec2({}, {});\n    mask_outside = {};\n",
+                        word_expression(word), word_expression(word + 1), word_expression(word + 2),
+                        word_expression(word + 3));
+    const Type result = c.reference.result;
+    for (int k = 0; k < result.components; ++k) {
+        const std::string value = result.components == 1 ? "result" : fmt::format("result.{}", "xyzw"[k]);
+        writes += fmt::format("    results[{}u + {}u * index + {}u] = {};\n", guard_words, result.components,
+                              k, to_word(result.scalar, value));
+    }
+    return fmt::format(R"(layout(local_size_x = 64) in;
+#include "{file}.glsl"
+layout(std430, binding = 0) readonly buffer Inputs {{ uvec4 inputs[]; }};
+layout(std430, binding = 1) writeonly buffer Results {{ uint results[]; }};
+layout(push_constant) uniform Constants {{ uint count; }};
+{hook}
+void main() {{
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= count) return;
+    uint record = index * {stride}u;
+{mask}    {type} result = {function}({arguments});
+{writes}}}
+)",
+                       fmt::arg("file", c.name), fmt::arg("hook", c.reference.takes_mask ? mask_hook : ""),
+                       fmt::arg("stride", record_words(c) / 4), fmt::arg("mask", mask_setup),
+                       fmt::arg("type", glsl_name(result)), fmt::arg("function", function_name(c)),
+                       fmt::arg("arguments", arguments), fmt::arg("writes", writes));
+}
+
+glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources) {
+    if (!std::filesystem::is_regular_file(sources.root / (c.name + ".glsl")))
+        throw CompileError("{}/{}.glsl: no such file; the catalogue has a case of this name",
+                           sources.root.string(), c.name);
+    try {
+        return glsl::compile(sources, standalone_source(c), generated_name, glsl::Stage::compute);
+    } catch (const CompileError& error) {
+        const std::string message = error.what();
+        if (!message.starts_with(generated_name)) throw;
+        throw CompileError("{}/{}.glsl:1: does not define what its table declares: {}  ({})",
+                           sources.root.filename().string(), c.name, signature(c), message);
+    }
+}
+
+std::size_t Records::stride() const { return record_words(*case_); }
+
+void Records::add(std::span<const std::uint32_t> words, const Mask* mask) {
+    const std::size_t begin = words_.size();
+    words_.insert(words_.end(), words.begin(), words.end());
+    if (case_->reference.takes_mask) {
+        auto found = std::ranges::find(packed_, mask, &std::pair<const Mask*, std::uint32_t>::first);
+        if (found == packed_.end()) {
+            const auto first = static_cast<std::uint32_t>(mask_words_.size());
+            mask_words_.resize(mask_words_.size() + (mask->texels.size() + 31) / 32);
+            for (std::size_t i = 0; i < mask->texels.size(); ++i)
+                if (mask->texels[i] != 0) mask_words_[first + i / 32] |= 1u << (i % 32);
+            found = packed_.insert(packed_.end(), {mask, first});
+        }
+        for (const std::uint32_t word :
+             {found->second, static_cast<std::uint32_t>(mask->width),
+              static_cast<std::uint32_t>(mask->height), static_cast<std::uint32_t>(mask->outside)})
+            words_.push_back(word);
+    }
+    words_.resize(begin + stride());
+    mask_of_.push_back(mask);
+    ++count_;
+}
+
+Outputs run_standalone(gpu::Device& device, gpu::Kernel& kernel, const Case& c, const Records& records) {
+    const auto components = static_cast<std::size_t>(c.reference.result.components);
+    const std::size_t result_words = records.size() * components;
+    const gpu::Buffer inputs = device.upload(records.words());
+    const gpu::Buffer masks = device.upload(records.masks());
+    gpu::Buffer results = device.allocate((result_words + 2 * guard_words) * sizeof(std::uint32_t));
+    const auto count = static_cast<std::uint32_t>(records.size());
+
+    Outputs outputs;
+    std::vector<std::uint32_t> runs[2];
+    for (std::size_t run = 0; run < 2; ++run) {
+        runs[run].assign(result_words + 2 * guard_words, poison[run]);
+        device.write(results, std::as_bytes(std::span(runs[run])));
+        const gpu::Dispatch dispatch{.threads = {count, 1, 1}, .constants = gpu::bytes_of(count)};
+        outputs.nanoseconds = c.reference.takes_mask
+                                  ? device.run(kernel, {&inputs, &results, &masks}, dispatch)
+                                  : device.run(kernel, {&inputs, &results}, dispatch);
+        device.read(results, std::as_writable_bytes(std::span(runs[run])));
+        const auto intact = [&](std::size_t first) {
+            return std::all_of(runs[run].begin() + static_cast<std::ptrdiff_t>(first),
+                               runs[run].begin() + static_cast<std::ptrdiff_t>(first + guard_words),
+                               [&](std::uint32_t word) { return word == poison[run]; });
+        };
+        if (!intact(0) || !intact(guard_words + result_words)) outputs.stray_write = true;
+    }
+    outputs.words.assign(runs[1].begin() + guard_words, runs[1].end() - guard_words);
+    outputs.unwritten.assign(records.size(), 0);
+    for (std::size_t i = 0; i < result_words; ++i) {
+        const std::uint32_t first = runs[0][guard_words + i], second = runs[1][guard_words + i];
+        if (first == poison[0] && second == poison[1])
+            outputs.unwritten[i / components] = 1;
+        else if (first != second)
+            outputs.unstable = true;
+    }
+    return outputs;
+}
+
+Outputs evaluate(gpu::Device& device, const glsl::Sources& sources, const Case& c, const Records& records) {
+    gpu::Kernel kernel = device.kernel(compile_standalone(c, sources), c.name);
+    return run_standalone(device, kernel, c, records);
+}
+
+} // namespace gnomon

@@ -1,0 +1,70 @@
+// A kernel alone on the device: a generated main() that calls it once per sample, and the buffers it reads
+// and writes.
+#pragma once
+
+#include "casegen/kernel_case.h"
+#include "casegen/sampling.h"
+#include "runtime/glsl/compiler.h"
+#include "runtime/gpu/device.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// Where kernels come from: the folder, and what the catalogue generates.
+glsl::Sources kernel_sources(const std::filesystem::path& kernels);
+
+/// The compute shader around `c`: includes its file, reads a record, writes the result's words.
+std::string standalone_source(const Case& c);
+
+/// standalone_source, compiled. Throws CompileError: on the author's line, or, if what fails is the generated
+/// call, a message that shows the signature which the table declares.
+glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources);
+
+/// Inputs as the device reads them: per sample the parameters' words, then (if the kernel takes a mask) four
+/// that say where its mask is, padded to whole uvec4.
+class Records {
+public:
+    explicit Records(const Case& c) : case_(&c) {}
+
+    void reserve(std::size_t samples) { words_.reserve(samples * stride()); }
+    /// `mask` may be null if the kernel takes none. A mask is packed once however many samples name it.
+    void add(std::span<const std::uint32_t> words, const Mask* mask);
+
+    std::size_t size() const { return count_; }
+    std::size_t stride() const; ///< words per record, a multiple of 4
+    std::span<const std::uint32_t> words() const { return words_; }
+    std::span<const std::uint32_t> masks() const { return mask_words_; }
+    std::span<const std::uint32_t> input(std::size_t index) const { ///< the parameters' words of one record
+        return std::span(words_).subspan(index * stride(), word_count(*case_));
+    }
+    const Mask* mask(std::size_t index) const { return mask_of_[index]; }
+
+private:
+    const Case* case_;
+    std::size_t count_ = 0;
+    std::vector<std::uint32_t> words_, mask_words_;
+    std::vector<const Mask*> mask_of_; ///< per record; null if the kernel takes none
+    std::vector<std::pair<const Mask*, std::uint32_t>>
+        packed_; ///< first word of each mask, in order of packing
+};
+
+struct Outputs {
+    std::vector<std::uint32_t> words;    ///< components(result) per record
+    std::vector<std::uint8_t> unwritten; ///< 1 per record whose result the kernel did not write
+    bool stray_write = false;            ///< something outside the results was overwritten
+    bool unstable = false;               ///< two runs on the same inputs differ
+    double nanoseconds = 0;              ///< of the second run: the first one compiles
+};
+
+/// Runs the kernel twice over the records, on poisoned memory with guards on either side. Throws
+/// KernelTimeout.
+Outputs run_standalone(gpu::Device& device, gpu::Kernel& kernel, const Case& c, const Records& records);
+
+/// All in one: compiles, uploads, runs, reads. For tests and `eval`.
+Outputs evaluate(gpu::Device& device, const glsl::Sources& sources, const Case& c, const Records& records);
+
+} // namespace gnomon
