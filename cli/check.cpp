@@ -1,0 +1,87 @@
+#include "casegen/check.h"
+
+#include "cli/commands.h"
+#include "cli/progress.h"
+#include "cli/report.h"
+#include "runtime/error.h"
+#include "runtime/gpu/validation.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace gnomon::cli {
+namespace {
+
+struct Options {
+    std::string pattern, format = "text", seed;
+    std::size_t samples = 65536;
+    unsigned jobs = 0;
+};
+
+std::optional<std::uint64_t> parse_seed(const std::string& text) {
+    if (text.empty()) return {};
+    std::size_t used = 0;
+    try {
+        const std::uint64_t seed = std::stoull(text, &used, 0);
+        if (used == text.size() && text.front() != '-') return seed;
+    } catch (const std::exception&) {
+        used = 0;
+    }
+    throw Error("--seed is \"{}\"; a whole number below 2^64 is needed, decimal or 0x…", text);
+}
+
+int run(const Options& options, const Common& common) {
+    const std::vector<const Case*> cases = find_cases(options.pattern);
+    CheckOptions check_options;
+    check_options.kernels = common.kernels;
+    check_options.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
+    check_options.samples = options.samples;
+    check_options.seed = parse_seed(options.seed);
+    check_options.device = common.device;
+    check_options.jobs = options.jobs;
+    std::vector<CheckReport> reports;
+    {
+        Progress progress("checking");
+        reports = check(cases, check_options, [&](std::size_t done) { progress.show(done, cases.size()); });
+    }
+    require_no_validation_messages();
+    if (options.format == "json")
+        fmt::print("{}\n", check_json(reports));
+    else if (options.format == "junit")
+        fmt::print("{}\n", check_junit(reports));
+    else
+        fmt::print("{}", check_text(reports));
+    for (const CheckReport& report : reports)
+        if (report.verdict != Verdict::pass) return 1;
+    return 0;
+}
+
+} // namespace
+
+void require_no_validation_messages() {
+    if (const std::vector<std::string> messages = gpu::take_validation_messages(); !messages.empty())
+        throw Error("Vulkan's validation layer complains ({} messages): {}", messages.size(),
+                    messages.front());
+}
+
+void add_check(CLI::App& app, Common& common, int& exit_code) {
+    CLI::App* verb =
+        app.add_subcommand("check", "run kernels against their references; exit code 1 if one fails");
+    auto options = std::make_shared<Options>();
+    verb->add_option("PATTERN", options->pattern,
+                     "part of a name, or a pattern with * and ? (default: all kernels)");
+    verb->add_option("--samples", options->samples, "inputs per kernel, pins and hostile values included")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
+        ->capture_default_str();
+    verb->add_option("--seed", options->seed, "of all kernels (default: each its own, the hash of its name)");
+    verb->add_option("--format", options->format, "text, json or junit")
+        ->check(CLI::IsMember({"text", "json", "junit"}))
+        ->capture_default_str();
+    verb->add_option("--jobs", options->jobs,
+                     "worker threads, each with its own device (default: one per core)")
+        ->check(CLI::Range(0u, 256u));
+    verb->callback([options, &common, &exit_code] { exit_code = run(*options, common); });
+}
+
+} // namespace gnomon::cli

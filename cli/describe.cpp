@@ -1,0 +1,74 @@
+#include "casegen/catalogue.h"
+#include "casegen/csv.h"
+#include "casegen/witness.h"
+#include "cli/commands.h"
+#include "runtime/files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+namespace gnomon::cli {
+namespace {
+
+/// The comment that a kernel file begins with, without its slashes.
+std::string leading_comment(const std::string& text) {
+    std::string comment;
+    std::string_view rest = text;
+    while (rest.starts_with("//")) {
+        const std::size_t end = rest.find('\n');
+        std::string_view line = rest.substr(2, end == std::string_view::npos ? end : end - 2);
+        comment += fmt::format(" {}\n", line);
+        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+    return comment;
+}
+
+std::string range(const Domain& domain) {
+    if (domain.choices.empty()) return fmt::format("{:g} to {:g}", domain.lower, domain.upper);
+    std::vector<std::string> choices;
+    for (const std::vector<double>& choice : domain.choices)
+        choices.push_back(fmt::format("{}", fmt::join(choice, ",")));
+    return fmt::format("one of {}", fmt::join(choices, " | "));
+}
+
+void describe(const Case& c, const std::filesystem::path& kernels) {
+    std::vector<std::string> parameters;
+    for (std::size_t i = 0; i < c.parameters.size(); ++i)
+        parameters.push_back(glsl_name(c.reference.parameters[i]) + " " + c.parameters[i].name);
+    fmt::print("{} {}({})\n", glsl_name(c.reference.result), function_name(c), fmt::join(parameters, ", "));
+    fmt::print("{}\n", leading_comment(read_file(kernels / (c.name + ".glsl"))));
+    fmt::print("source     {}\n", c.source);
+    fmt::print("columns    {}\n", fmt::join(columns(c), ","));
+    if (c.reference.takes_mask) {
+        fmt::print("  {:<10} texels, rows parted by '/', the first is y = 0: # shadow, . lit; \"#./..\"\n",
+                   "mask");
+        fmt::print("  {:<10} what lies beyond the mask: clamp, lit or shadow\n", "outside");
+    }
+    for (const Parameter& p : c.parameters)
+        fmt::print("  {:<10} {} [{}], {}\n", p.name, range(p.domain), p.unit, p.meaning);
+    if (c.where) fmt::print("             (not every combination: see `where` in the table)\n");
+    fmt::print("result     {:g} to {:g} [{}], {}\n", c.result.lower, c.result.upper, c.result.unit,
+               c.result.meaning);
+    fmt::print("tolerance  {}; for inputs outside the ranges above: any result within its range, never NaN\n",
+               to_string(c.tolerance));
+    if (c.number == 0) return;
+    if (const auto witness = smallest_witness(c)) {
+        fmt::print("witness    texel {},{} of this mask, {} outside, leads to the case:\n", witness->texel.x,
+                   witness->texel.y, to_string(witness->mask.outside));
+        fmt::print("  {}\n", fmt::join(std::vector{format_mask(witness->mask, '\n')}, ""));
+    }
+}
+
+} // namespace
+
+void add_describe(CLI::App& app, Common& common) {
+    CLI::App* verb =
+        app.add_subcommand("describe", "show a kernel's signature, columns, ranges, tolerance and source");
+    auto name = std::make_shared<std::string>();
+    verb->add_option("KERNEL", *name, "as gnomon list prints it: smsr/case_09")->required();
+    verb->callback([name, &common] { describe(find_case(*name), common.kernels); });
+}
+
+} // namespace gnomon::cli

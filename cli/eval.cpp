@@ -1,0 +1,95 @@
+#include "casegen/catalogue.h"
+#include "casegen/check.h"
+#include "casegen/csv.h"
+#include "casegen/standalone.h"
+#include "cli/commands.h"
+#include "cli/report.h"
+#include "runtime/error.h"
+#include "runtime/files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace gnomon::cli {
+namespace {
+
+struct Options {
+    std::string kernel;
+    std::filesystem::path in, out;
+    std::string at;
+    bool reference = false;
+};
+
+/// Column names of a result: `result`, or `result_x`, `result_y` …
+std::vector<std::string> result_columns(const Case& c, const std::string& name) {
+    const int components = c.reference.result.components;
+    if (components == 1) return {name};
+    std::vector<std::string> names;
+    for (int k = 0; k < components; ++k) names.push_back(fmt::format("{}_{}", name, "xyzw"[k]));
+    return names;
+}
+
+void run(const Options& options, const Common& common) {
+    const Case& c = find_case(options.kernel);
+    if (options.in.empty() == options.at.empty()) throw Error("eval takes either --in FILE or --at VALUES");
+    const Csv csv = options.at.empty()
+                        ? read_csv(options.in)
+                        : parse_csv(fmt::format("{}\n{}\n", fmt::join(columns(c), ","), options.at), "--at");
+    const std::vector<CsvInput> inputs = read_inputs(c, csv);
+    if (!options.out.empty()) require_writable(options.out);
+
+    Records records(c);
+    for (const CsvInput& input : inputs) records.add(input.words, &input.mask);
+    gpu::Device device(common.device);
+    const Outputs outputs = evaluate(device, kernel_sources(common.kernels), c, records);
+    require_no_validation_messages();
+    if (const auto gap = std::ranges::find(outputs.unwritten, 1); gap != outputs.unwritten.end())
+        throw Error("{} wrote no result for row {}", c.name, gap - outputs.unwritten.begin() + 1);
+
+    std::vector<std::string> header = csv.header;
+    for (const std::string& name : result_columns(c, "result")) header.push_back(name);
+    if (options.reference)
+        for (const std::string& name : result_columns(c, "reference")) header.push_back(name);
+    std::string text = fmt::format("{}\n", fmt::join(header, ","));
+    const auto components = static_cast<std::size_t>(c.reference.result.components);
+    const Scalar scalar = c.reference.result.scalar;
+    for (std::size_t row = 0; row < inputs.size(); ++row) {
+        std::vector<std::string> cells = csv.rows[row];
+        for (std::size_t k = 0; k < components; ++k)
+            cells.push_back(format_word(scalar, outputs.words[row * components + k]));
+        if (options.reference) {
+            const Arguments with = arguments(c, inputs[row].words, &inputs[row].mask);
+            const bool defined = in_domain(c, with);
+            const Numbers want = defined ? c.reference.call(with) : Numbers{};
+            for (std::size_t k = 0; k < components; ++k)
+                cells.push_back(defined ? format_word(scalar, narrow(scalar, want[k])) : "undefined");
+        }
+        text += fmt::format("{}\n", fmt::join(cells, ","));
+    }
+    if (options.out.empty())
+        fmt::print("{}", text);
+    else
+        write_file(options.out, text);
+}
+
+} // namespace
+
+void add_eval(CLI::App& app, Common& common) {
+    CLI::App* verb =
+        app.add_subcommand("eval", "run a kernel on your own inputs (CSV; columns as in describe)");
+    auto options = std::make_shared<Options>();
+    verb->add_option("KERNEL", options->kernel, "as gnomon list prints it: smsr/case_09")->required();
+    verb->add_option("--in", options->in, "CSV file with a header row");
+    verb->add_option("--out", options->out,
+                     "CSV file to write: the input's columns and `result` (default: print)");
+    verb->add_option("--at", options->at,
+                     "one input on the command line: the values of all columns, in their order");
+    verb->add_flag("--reference", options->reference,
+                   "add the reference's value as `reference` (`undefined` outside the kernel's domain)");
+    verb->callback([options, &common] { run(*options, common); });
+}
+
+} // namespace gnomon::cli

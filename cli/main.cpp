@@ -1,0 +1,80 @@
+#include "cli/commands.h"
+#include "runtime/error.h"
+#include "runtime/glsl/compiler.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+using namespace gnomon;
+
+int run(int argc, char** argv) {
+    cli::Common common;
+    const char* folder = std::getenv("GNOMON_KERNELS");
+    common.kernels = folder ? folder : GNOMON_SOURCE_DIR "/kernels";
+    int exit_code = 0;
+
+    CLI::App app{"gnomon examines shadow kernels: it runs each one alone against a reference, and all of "
+                 "them together\n"
+                 "against ray-traced truth.\n\n"
+                 "  gnomon list                       what there is\n"
+                 "  gnomon check smsr/case_09         is this kernel right?\n"
+                 "  gnomon demo                       the whole tour, with pictures"};
+    app.name("gnomon");
+    app.require_subcommand(1);
+    app.fallthrough();
+    app.set_version_flag("--version", fmt::format("gnomon {}, {}", GNOMON_VERSION, glsl::version()));
+    app.add_option("--device", common.device.name,
+                   "Vulkan device, by index or part of its name (default: lavapipe)");
+    app.add_option("--kernels", common.kernels, "folder with the kernels' GLSL files");
+    app.add_flag("--validation", common.device.validation,
+                 "turn Vulkan's validation layer on; any message is an error");
+    app.add_option("--time-limit", common.device.time_limit, "seconds that one dispatch may take")
+        ->check(CLI::Range(0.001, 1e6))
+        ->capture_default_str();
+
+    cli::add_list(app, common);
+    cli::add_describe(app, common);
+    cli::add_check(app, common, exit_code);
+    cli::add_eval(app, common);
+    cli::add_revectorize(app, common);
+    cli::add_render(app, common);
+    cli::add_demo(app, common, exit_code);
+    cli::add_devices(app, common);
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+            return app.exit(error); // --help
+        fmt::print(stderr, "gnomon: {} (gnomon --help, or gnomon VERB --help, shows what there is)\n",
+                   error.what());
+        return 2;
+    }
+    return exit_code;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    int exit_code = 2;
+    try {
+        exit_code = run(argc, argv);
+    } catch (const gnomon::Error& error) {
+        fmt::print(stderr, "gnomon: {}\n", error.what());
+    } catch (const std::bad_alloc&) {
+        fmt::print(
+            stderr,
+            "gnomon: not enough memory; make the image or shadow map smaller, or take fewer samples\n");
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "gnomon: unexpected: {}\n", error.what());
+    }
+    // Everything that matters is written. Leaving without destructors spares the driver's slow farewell, and
+    // is the only way out while a kernel loops for ever in one of its threads.
+    std::fflush(nullptr);
+    std::_Exit(exit_code);
+}

@@ -1,0 +1,136 @@
+#include "cli/report.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::cli {
+namespace {
+
+std::string error_text(double error) {
+    return error == 0 ? "0" : std::isinf(error) ? "none finite" : fmt::format("{:.3g}", error);
+}
+
+/// The finding's lines of a report, each behind two blanks.
+std::string finding_text(const CheckReport& report) {
+    const Case& c = *report.kernel;
+    std::string text;
+    if (!report.message.empty()) text += fmt::format("  {}\n", report.message);
+    if (report.worst && report.verdict != Verdict::stray_write && report.verdict != Verdict::unstable) {
+        const Finding& f = *report.worst;
+        text += fmt::format("  {}\n", format_call(c, f.input, f.mask ? &*f.mask : nullptr));
+        const std::string want = f.in_domain
+                                     ? format_result(c, f.want)
+                                     : fmt::format("anything from {:g} to {:g} (input outside the domain)",
+                                                   c.result.lower, c.result.upper);
+        text += fmt::format("  got {}, want {}, allowed {}\n", format_result(c, f.got), want,
+                            to_string(c.tolerance));
+        text += fmt::format("  {}\n", replay_command(c, f));
+    }
+    if (report.verdict == Verdict::wrong)
+        text += fmt::format("  {} of {} samples fail; seed {:#x}\n", report.failures, report.samples,
+                            report.seed);
+    return text;
+}
+
+std::string xml(std::string_view text) {
+    std::string escaped;
+    for (const char c : text) switch (c) {
+        case '&':
+            escaped += "&amp;";
+            break;
+        case '<':
+            escaped += "&lt;";
+            break;
+        case '>':
+            escaped += "&gt;";
+            break;
+        case '"':
+            escaped += "&quot;";
+            break;
+        default:
+            escaped += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+        }
+    return escaped;
+}
+
+} // namespace
+
+std::string check_text(std::span<const CheckReport> reports) {
+    std::size_t width = 6;
+    for (const CheckReport& report : reports) width = std::max(width, report.kernel->name.size());
+    std::string text = fmt::format("{:<{}}  {:<13}  {:>9}  {:>11}  {:<22}  {:>7}  {}\n", "kernel", width,
+                                   "verdict", "samples", "worst error", "allowed", "ns/eval", "seed");
+    std::size_t failed = 0;
+    for (const CheckReport& report : reports) {
+        const bool ran = report.worst.has_value();
+        text += fmt::format("{:<{}}  {:<13}  {:>9}  {:>11}  {:<22}  {:>7}  {:#018x}\n", report.kernel->name,
+                            width, report.verdict == Verdict::pass ? "pass" : "FAIL", report.samples,
+                            ran ? error_text(report.worst->error) : "-", to_string(report.kernel->tolerance),
+                            ran ? fmt::format("{:.1f}", report.nanoseconds) : "-", report.seed);
+        if (report.verdict == Verdict::pass && report.worst && report.worst->error > 0)
+            text += fmt::format("  worst at {}\n",
+                                format_call(*report.kernel, report.worst->input,
+                                            report.worst->mask ? &*report.worst->mask : nullptr));
+        if (report.verdict != Verdict::pass) ++failed;
+    }
+    for (const CheckReport& report : reports)
+        if (report.verdict != Verdict::pass)
+            text += fmt::format("\nFAIL {} ({})\n{}", report.kernel->name, to_string(report.verdict),
+                                finding_text(report));
+    text += fmt::format("\n{} passed, {} failed\n", reports.size() - failed, failed);
+    return text;
+}
+
+std::string check_json(std::span<const CheckReport> reports) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const CheckReport& report : reports) {
+        const Case& c = *report.kernel;
+        nlohmann::ordered_json entry{{"kernel", c.name},
+                                     {"source", c.source},
+                                     {"verdict", to_string(report.verdict)},
+                                     {"seed", fmt::format("{:#018x}", report.seed)},
+                                     {"samples", report.samples},
+                                     {"failures", report.failures},
+                                     {"allowed", to_string(c.tolerance)},
+                                     {"nanoseconds_per_evaluation", report.nanoseconds}};
+        if (!report.message.empty()) entry["message"] = report.message;
+        if (report.worst) {
+            const Finding& f = *report.worst;
+            // JSON has no infinity: an error that is none is null.
+            entry["worst_error"] = std::isfinite(f.error) ? nlohmann::ordered_json(f.error) : nullptr;
+            entry["worst_call"] = format_call(c, f.input, f.mask ? &*f.mask : nullptr);
+            entry["got"] = format_result(c, f.got);
+            if (f.in_domain) entry["want"] = format_result(c, f.want);
+            entry["replay"] = replay_command(c, f);
+        }
+        list.push_back(std::move(entry));
+    }
+    return nlohmann::ordered_json{{"kernels", list}}.dump(2);
+}
+
+std::string check_junit(std::span<const CheckReport> reports) {
+    std::string cases;
+    std::size_t failed = 0;
+    for (const CheckReport& report : reports) {
+        const std::string& name = report.kernel->name;
+        const std::string family = name.substr(0, name.find('/'));
+        const double seconds = report.nanoseconds * static_cast<double>(report.samples) * 1e-9;
+        cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"", xml(family),
+                             xml(name), seconds);
+        if (report.verdict == Verdict::pass) {
+            cases += "/>\n";
+            continue;
+        }
+        ++failed;
+        cases += fmt::format(">\n    <failure type=\"{0}\" message=\"{0}\">{1}</failure>\n  </testcase>\n",
+                             xml(to_string(report.verdict)), xml(finding_text(report)));
+    }
+    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                       "<testsuite name=\"gnomon check\" tests=\"{}\" failures=\"{}\">\n{}</testsuite>",
+                       reports.size(), failed, cases);
+}
+
+} // namespace gnomon::cli
