@@ -46,7 +46,7 @@ Error unknown_kernel(const std::string& name) {
 
 const std::vector<Family>& catalogue() {
     static const std::vector<Family> families = [] {
-        std::vector<Family> all{revectorize_family(), smsr_family()};
+        std::vector<Family> all{revectorize_family(), nsm_family(), smsr_family()};
         for ([[maybe_unused]] const Family& family : all)
             for ([[maybe_unused]] const Case& c : family.cases)
                 assert(c.parameters.size() == c.reference.parameters.size() &&
@@ -73,6 +73,14 @@ const Case& find_case(const std::string& name) {
         for (const Case& c : family.cases)
             if (c.name == name) return c;
     throw unknown_kernel(name);
+}
+
+std::vector<std::string> visibility_techniques() {
+    std::vector<std::string> names;
+    for (const Family& family : catalogue())
+        for (const Case& c : family.cases)
+            if (c.name == family.name + "/visibility") names.push_back(family.name);
+    return names;
 }
 
 std::map<std::string, std::string> generated_sources() {

@@ -17,6 +17,7 @@ struct Family {
 };
 
 Family revectorize_family(); // casegen/revectorize.cpp
+Family nsm_family();         // casegen/nsm.cpp
 Family smsr_family();        // casegen/smsr.cpp
 
 const std::vector<Family>& catalogue();
@@ -27,6 +28,9 @@ std::vector<const Case*> find_cases(const std::string& pattern);
 
 /// The case of exactly this name. Throws Error that suggests near names.
 const Case& find_case(const std::string& name);
+
+/// Families with a kernel `<family>/visibility`, float (ivec2 texel, vec2 p) over a map: what --technique takes.
+std::vector<std::string> visibility_techniques();
 
 /// What kernels include by <>: for each family with numbered cases `<smsr/cases>`, which includes them all
 /// and defines

@@ -106,6 +106,10 @@ Device::Device(const DeviceOptions& options) : context_(std::make_shared<Context
     pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
     pool.queueFamilyIndex = c.queue_family;
     check(vkCreateCommandPool(c.device, &pool, nullptr, &c.commands), "creating a command pool");
+    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    allocate.commandPool = c.commands;
+    allocate.commandBufferCount = static_cast<std::uint32_t>(c.command_buffers.size());
+    check(vkAllocateCommandBuffers(c.device, &allocate, c.command_buffers.data()), "allocating commands");
     VkQueryPoolCreateInfo queries{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
     queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
     queries.queryCount = 2;
@@ -121,26 +125,28 @@ std::uint32_t Device::max_groups() const { return context_->properties.limits.ma
 VkCommandBuffer begin_commands(Context& context) {
     if (context.lost) throw KernelTimeout("the device hangs in an earlier kernel");
     check(vkResetCommandPool(context.device, context.commands, 0), "resetting commands");
-    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-    allocate.commandPool = context.commands;
-    allocate.commandBufferCount = 1;
-    VkCommandBuffer commands = VK_NULL_HANDLE;
-    check(vkAllocateCommandBuffers(context.device, &allocate, &commands), "allocating commands");
+    const std::array<VkCommandBuffer, 2>& both = context.command_buffers;
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    check(vkBeginCommandBuffer(commands, &begin), "recording commands");
-    vkCmdResetQueryPool(commands, context.timestamps, 0, 2);
-    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, context.timestamps, 0);
-    return commands;
+    for (VkCommandBuffer commands : both) check(vkBeginCommandBuffer(commands, &begin), "recording commands");
+    // The first timestamp is a submission of its own: llvmpipe takes a timestamp when it rasterises the scene that it was
+    // recorded in, and would take one in front of a draw or a dispatch too late, at that work's end.
+    vkCmdResetQueryPool(both[0], context.timestamps, 0, 2);
+    vkCmdWriteTimestamp2(both[0], VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, context.timestamps, 0);
+    check(vkEndCommandBuffer(both[0]), "recording commands");
+    return both[1];
 }
 
 double end_commands(Context& context, VkCommandBuffer commands) {
     vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, context.timestamps, 1);
     check(vkEndCommandBuffer(commands), "recording commands");
-    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &commands;
-    check(vkQueueSubmit(context.queue, 1, &submit, context.fence), "submitting work");
+    std::array<VkSubmitInfo, 2> submits{};
+    for (std::size_t i = 0; i < submits.size(); ++i) {
+        submits[i].sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
+        submits[i].commandBufferCount = 1;
+        submits[i].pCommandBuffers = &context.command_buffers[i];
+    }
+    check(vkQueueSubmit(context.queue, 2, submits.data(), context.fence), "submitting work");
     const auto limit = static_cast<std::uint64_t>(context.time_limit * 1e9);
     const VkResult done = vkWaitForFences(context.device, 1, &context.fence, VK_TRUE, limit);
     if (done == VK_TIMEOUT || done == VK_ERROR_DEVICE_LOST) {

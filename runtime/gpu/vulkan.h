@@ -5,6 +5,7 @@
 
 #include <volk.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -41,6 +42,7 @@ struct Context {
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
     VkCommandPool commands = VK_NULL_HANDLE;
+    std::array<VkCommandBuffer, 2> command_buffers{}; ///< the first timestamp; the work
     VkQueryPool timestamps = VK_NULL_HANDLE;
     VkFence fence = VK_NULL_HANDLE;
     VkPhysicalDeviceProperties properties{};

@@ -1,0 +1,37 @@
+#include "cli/parse.h"
+
+#include "runtime/error.h"
+
+#include <charconv>
+#include <cstdlib>
+#include <string_view>
+
+namespace gnomon::cli {
+
+glm::vec3 parse_vector(const std::string& text, const char* option) {
+    glm::vec3 result(0);
+    const char* at = text.c_str();
+    for (int i = 0; i < 3; ++i) {
+        char* end = nullptr;
+        result[i] = std::strtof(at, &end);
+        if (end == at || *end != (i < 2 ? ',' : '\0'))
+            throw Error("{} is \"{}\"; three numbers X,Y,Z without blanks are needed", option, text);
+        at = end + 1;
+    }
+    return result;
+}
+
+std::pair<int, int> parse_size(const std::string& text, const char* option) {
+    const std::size_t x = text.find('x');
+    const auto number = [&](std::string_view part) {
+        int value = 0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        if (x == std::string::npos || part.empty() || error != std::errc{} || end != part.data() + part.size())
+            throw Error("{} is \"{}\"; WIDTHxHEIGHT is needed, as 1024x768", option, text);
+        return value;
+    };
+    const std::string_view view = text;
+    return {number(view.substr(0, x)), number(view.substr(x == std::string::npos ? view.size() : x + 1))};
+}
+
+} // namespace gnomon::cli

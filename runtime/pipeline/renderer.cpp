@@ -1,0 +1,256 @@
+#include "runtime/pipeline/renderer.h"
+
+#include "runtime/error.h"
+#include "runtime/files.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <map>
+
+namespace gnomon {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Step times of several frames, in the order in which steps first happened.
+class Stopwatch {
+public:
+    void add(const std::string& step, double milliseconds) {
+        const auto known = std::ranges::find(steps_, step, &Samples::name);
+        (known == steps_.end() ? steps_.emplace_back(Samples{step, {}}) : *known).milliseconds.push_back(milliseconds);
+    }
+
+    /// Medians without each step's first time, which holds compilation.
+    std::vector<Step> medians() const {
+        std::vector<Step> result;
+        for (const Samples& step : steps_) {
+            std::vector<double> times(step.milliseconds.begin() + (step.milliseconds.size() > 1 ? 1 : 0),
+                                      step.milliseconds.end());
+            std::ranges::sort(times);
+            const std::size_t n = times.size();
+            result.push_back({step.name, n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2])});
+        }
+        return result;
+    }
+
+private:
+    struct Samples {
+        std::string name;
+        std::vector<double> milliseconds;
+    };
+    std::vector<Samples> steps_;
+};
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+} // namespace
+
+struct Renderer::Impl {
+    gpu::Device& device;
+    glsl::Sources sources;
+    const Scene& scene;
+    shared::Frame frame;
+    std::uint32_t vertices;
+
+    gpu::Buffer frame_buffer, positions, normals, triangles;
+    gpu::Target world, shading_normal, depth, shadow_depth;
+    gpu::Raster gbuffer, shadow_map;
+    gpu::Kernel receivers_kernel, shade_kernel;
+    std::map<std::string, gpu::Kernel> visibility_kernels; // by technique
+    std::unique_ptr<RayTracer> tracer;
+
+    gpu::Buffer world_texels, normal_texels, depth_texels, receivers, visibility, colours;
+    std::vector<shared::Receiver> host_receivers;
+    Surfaces host_surfaces;
+
+    Impl(gpu::Device& on, glsl::Sources from, const Scene& of, const Camera& camera, const Light& light,
+         const ViewSettings& settings)
+        : device(on), sources(std::move(from)), scene(of), frame(make_frame(camera, light, settings, of.bounds())),
+          vertices(static_cast<std::uint32_t>(3 * of.triangles.size())) {
+        constexpr std::size_t most = (std::size_t{1} << 24) - 1;
+        if (scene.triangles.size() > most)
+            throw Error("{}: {} triangles; the G-buffer counts to {}", scene.name, scene.triangles.size(), most);
+        frame_buffer = device.upload(std::span<const shared::Frame>(&frame, 1));
+        positions = device.upload(scene.positions);
+        normals = device.upload(scene.normals);
+        triangles = device.upload(scene.triangles);
+
+        const auto width = frame.size.x, height = frame.size.y, side = frame.size.z;
+        world = device.target(width, height, gpu::Format::rgba32_float);
+        shading_normal = device.target(width, height, gpu::Format::rgba32_float);
+        depth = device.target(width, height, gpu::Format::depth32_float);
+        shadow_depth = device.target(side, side, gpu::Format::depth32_float);
+        gbuffer = device.raster(stage("gbuffer.vert"), stage("gbuffer.frag"),
+                                {{gpu::Format::rgba32_float, gpu::Format::rgba32_float}, false}, "pipeline/gbuffer");
+        // A directional light's depth is linear by itself. Its near plane holds everything: clamping only mends rounding.
+        const bool perspective = frame.light_origin.w == 1.0f;
+        shadow_map = device.raster(stage("shadow_map.vert"),
+                                   perspective ? stage("shadow_map.frag") : glsl::Spirv{}, {{}, !perspective},
+                                   "pipeline/shadow_map");
+        receivers_kernel = device.kernel(stage("receivers.comp"), "pipeline/receivers");
+        shade_kernel = device.kernel(stage("shade.comp"), "pipeline/shade");
+        const std::size_t pixels = std::size_t{width} * height;
+        receivers = device.allocate(pixels * sizeof(shared::Receiver));
+        visibility = device.allocate(pixels * sizeof(float));
+        colours = device.allocate(pixels * sizeof(glm::vec4));
+    }
+
+    glsl::Spirv stage(const std::string& file) const { return stage(file, sources); }
+    static glsl::Spirv stage(const std::string& file, const glsl::Sources& from) {
+        const std::string text = read_file(from.root / "pipeline" / file);
+        const glsl::Stage kind = file.ends_with(".vert")   ? glsl::Stage::vertex
+                                 : file.ends_with(".frag") ? glsl::Stage::fragment
+                                                           : glsl::Stage::compute;
+        return glsl::compile(from, text, (from.root.filename() / "pipeline" / file).generic_string(), kind);
+    }
+
+    gpu::Dispatch per_pixel() const { return {.threads = {frame.size.x, frame.size.y, 1}}; }
+
+    gpu::Kernel& visibility_kernel(const std::string& technique) {
+        const auto found = visibility_kernels.find(technique);
+        if (found != visibility_kernels.end()) return found->second;
+        glsl::Sources with = sources;
+        with.generated["technique"] =
+            fmt::format("#include \"{0}/visibility.glsl\"\nfloat technique_visibility(ivec2 texel, vec2 p) {{\n    return "
+                        "{0}_visibility(texel, p);\n}}\n",
+                        technique);
+        return visibility_kernels.emplace(technique, device.kernel(stage("visibility.comp", with), technique))
+            .first->second;
+    }
+
+    void draw_gbuffer(Stopwatch& watch) {
+        const double drawn = device.draw(gbuffer, {&world, &shading_normal}, depth,
+                                         {&frame_buffer, &positions, &normals, &triangles}, vertices);
+        watch.add("g-buffer", drawn * 1e-6);
+        world_texels = device.texels(world);
+        normal_texels = device.texels(shading_normal);
+        watch.add("receivers", 1e-6 * device.run(receivers_kernel,
+                                                 {&frame_buffer, &positions, &triangles, &world_texels, &receivers},
+                                                 per_pixel()));
+    }
+
+    void draw_shadow_map(Stopwatch& watch) {
+        const double drawn =
+            device.draw(shadow_map, {}, shadow_depth, {&frame_buffer, &positions, &triangles}, vertices);
+        watch.add("shadow map", drawn * 1e-6);
+        depth_texels = device.texels(shadow_depth);
+    }
+
+    void read_receivers() {
+        if (!host_receivers.empty()) return;
+        Stopwatch ignored;
+        draw_gbuffer(ignored);
+        host_receivers = device.read<shared::Receiver>(receivers);
+        for (const shared::Receiver& receiver : host_receivers) {
+            host_surfaces.covered.push_back(receiver.map.w >= 0 ? 1 : 0);
+            host_surfaces.facing.push_back(receiver.map.w == 1 ? 1 : 0);
+        }
+    }
+
+    std::vector<float> trace(Stopwatch& watch) {
+        read_receivers();
+        if (!tracer) {
+            const auto start = Clock::now();
+            tracer = std::make_unique<RayTracer>(scene);
+            watch.add("build BVH", milliseconds_since(start));
+        }
+        std::vector<glm::vec3> origins;
+        origins.reserve(host_receivers.size());
+        for (const shared::Receiver& receiver : host_receivers) origins.emplace_back(receiver.origin);
+        const auto start = Clock::now();
+        const glm::vec3 light(frame.light_origin);
+        const std::vector<std::uint8_t> visible =
+            frame.light_origin.w == 1.0f ? tracer->visible_from(origins, host_surfaces.facing, light, frame.range.w)
+                                         : tracer->visible_along(origins, host_surfaces.facing, light, frame.range.w);
+        watch.add("trace", milliseconds_since(start));
+        std::vector<float> result(visible.size());
+        for (std::size_t i = 0; i < visible.size(); ++i)
+            result[i] = visible[i] != 0 && host_surfaces.facing[i] != 0 ? 1.0f : 0.0f;
+        return result;
+    }
+
+    void find_visibility(const Technique& technique, Stopwatch& watch) {
+        switch (technique.kind) {
+        case Technique::Kind::kernel: {
+            draw_shadow_map(watch);
+            const double run = device.run(visibility_kernel(technique.name),
+                                          {&frame_buffer, &receivers, &depth_texels, &visibility}, per_pixel());
+            watch.add("visibility", run * 1e-6);
+            return;
+        }
+        case Technique::Kind::raytraced: {
+            const std::vector<float> traced = trace(watch);
+            device.write(visibility, std::as_bytes(std::span(traced)));
+            return;
+        }
+        case Technique::Kind::none: break;
+        }
+        read_receivers();
+        const std::vector<float> facing(host_surfaces.facing.begin(), host_surfaces.facing.end());
+        device.write(visibility, std::as_bytes(std::span(facing)));
+    }
+
+    Image read_image() {
+        const std::vector<glm::vec4> linear = device.read<glm::vec4>(colours);
+        Image image(static_cast<int>(frame.size.x), static_cast<int>(frame.size.y));
+        std::ranges::transform(linear, image.pixels.begin(),
+                               [](glm::vec4 c) { return Rgb{srgb(c.r), srgb(c.g), srgb(c.b)}; });
+        return image;
+    }
+};
+
+Renderer::Renderer(gpu::Device& device, glsl::Sources sources, const Scene& scene, const Camera& camera,
+                   const Light& light, const ViewSettings& settings)
+    : impl_(std::make_unique<Impl>(device, std::move(sources), scene, camera, light, settings)) {}
+Renderer::~Renderer() = default;
+
+Rendering Renderer::render(const Technique& technique, int frames) {
+    Impl& r = *impl_;
+    Stopwatch watch;
+    for (int i = 0; i < std::max(frames, 1) + 1; ++i) {
+        r.draw_gbuffer(watch);
+        r.find_visibility(technique, watch);
+        const double shaded = r.device.run(r.shade_kernel,
+                                           {&r.frame_buffer, &r.receivers, &r.world_texels, &r.normal_texels,
+                                            &r.visibility, &r.colours},
+                                           r.per_pixel());
+        watch.add("shade", shaded * 1e-6);
+    }
+    return {r.device.read<float>(r.visibility), r.read_image(), watch.medians()};
+}
+
+const Surfaces& Renderer::surfaces() {
+    impl_->read_receivers();
+    return impl_->host_surfaces;
+}
+
+std::vector<Capture> Renderer::capture(const std::vector<std::uint32_t>& pixels) {
+    Impl& r = *impl_;
+    Stopwatch ignored;
+    r.draw_gbuffer(ignored);
+    r.draw_shadow_map(ignored);
+    gpu::Kernel kernel = r.device.kernel(r.stage("capture.comp"), "pipeline/capture");
+    constexpr std::size_t side = 2 * Capture::radius + 1;
+    constexpr std::size_t words = (side * side + 31) / 32;
+    const gpu::Buffer wanted = r.device.upload(pixels);
+    gpu::Buffer captured = r.device.allocate(pixels.size() * (4 + words) * sizeof(std::uint32_t));
+    const auto count = static_cast<std::uint32_t>(pixels.size());
+    r.device.run(kernel, {&r.frame_buffer, &r.receivers, &r.depth_texels, &wanted, &captured},
+                 {.threads = {count, 1, 1}, .constants = gpu::bytes_of(count)});
+    const std::vector<std::uint32_t> bits = r.device.read<std::uint32_t>(captured);
+    std::vector<Capture> result;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const std::uint32_t* record = bits.data() + i * (4 + words);
+        Capture capture;
+        std::memcpy(&capture.texel, record, sizeof capture.texel);
+        std::memcpy(&capture.p, record + 2, sizeof capture.p);
+        for (std::size_t n = 0; n < side * side; ++n) capture.lit.push_back((record[4 + n / 32] >> (n % 32)) & 1u);
+        result.push_back(std::move(capture));
+    }
+    return result;
+}
+
+} // namespace gnomon

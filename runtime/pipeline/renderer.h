@@ -1,0 +1,74 @@
+// A frame, step by step: G-buffer, receivers, shadow map, a technique's visibility, shading; and the ray-traced truth.
+// Everything but visibility is the same for every technique.
+#pragma once
+
+#include "runtime/glsl/compiler.h"
+#include "runtime/gpu/device.h"
+#include "runtime/image.h"
+#include "runtime/pipeline/view.h"
+#include "runtime/rays.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// How a pixel's visibility is found.
+struct Technique {
+    enum class Kind {
+        none,      ///< everything that faces the light is lit
+        kernel,    ///< by the kernel `name`/visibility over the shadow map
+        raytraced, ///< by a shadow ray: the truth
+    };
+    Kind kind = Kind::none;
+    std::string name;
+};
+
+struct Step {
+    std::string name;
+    double milliseconds = 0; ///< median over frames, the first one discarded
+};
+
+struct Rendering {
+    std::vector<float> visibility; ///< per pixel, row-major; 0 where the surface faces away or there is none
+    Image image;
+    std::vector<Step> steps;
+};
+
+/// What is the same for all techniques, per pixel.
+struct Surfaces {
+    std::vector<std::uint8_t> covered; ///< 1 where the camera sees a surface
+    std::vector<std::uint8_t> facing;  ///< 1 where that surface faces the light
+};
+
+/// What one pixel's kernel saw: enough to run it again alone.
+struct Capture {
+    static constexpr int radius = 18; ///< texels around its own that any walk can reach
+    glm::ivec2 texel{0};
+    glm::vec2 p{0};
+    std::vector<std::uint8_t> lit; ///< (2 radius + 1)² texels, row-major, centred on `texel`
+};
+
+class Renderer {
+public:
+    /// Uploads the scene and compiles the stages that all techniques share. `device` and `scene` must outlive it.
+    /// Throws Error (see require_valid; too many triangles for a float to count: 2^24).
+    Renderer(gpu::Device& device, glsl::Sources sources, const Scene& scene, const Camera& camera, const Light& light,
+             const ViewSettings& settings);
+    ~Renderer();
+
+    /// Renders `frames` + 1 times (at least 2) and keeps the medians of the last `frames`.
+    Rendering render(const Technique& technique, int frames = 5);
+
+    const Surfaces& surfaces();
+
+    /// The pixels' inputs to a technique's kernel. Only pixels inside the map that face the light have any.
+    std::vector<Capture> capture(const std::vector<std::uint32_t>& pixels);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace gnomon
