@@ -29,7 +29,8 @@ std::vector<const Case*> find_cases(const std::string& pattern);
 /// The case of exactly this name. Throws Error that suggests near names.
 const Case& find_case(const std::string& name);
 
-/// Families with a kernel `<family>/visibility`, float (ivec2 texel, vec2 p) over a map: what --technique takes.
+/// Families with a kernel `<family>/visibility`, float (ivec2 texel, vec2 p) over a map: what --technique
+/// takes.
 std::vector<std::string> visibility_techniques();
 
 /// What kernels include by <>: for each family with numbered cases `<smsr/cases>`, which includes them all

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <future>
 #include <mutex>
+#include <numeric>
 #include <thread>
 
 namespace gnomon {
@@ -31,10 +32,8 @@ struct Prepared {
 Records draw_records(const Case& c, const Sampler& sampler, std::size_t begin, std::size_t end) {
     Records records(c);
     records.reserve(end - begin);
-    for (std::size_t i = begin; i < end; ++i) {
-        const Sampler::Sample sample = sampler.draw(i);
-        records.add(sample.words, sample.mask);
-    }
+    for (std::size_t i = begin; i < end; ++i)
+        records.add_with([&](std::span<std::uint32_t> words) { return sampler.draw(i, words); });
     return records;
 }
 
@@ -143,6 +142,15 @@ CheckReport check_one(const Case& c, const CheckOptions& options, const glsl::So
     return report;
 }
 
+/// How much there is to compile; 0 for what does not even expand, which compiling will explain.
+std::size_t source_length(const Case& c, const glsl::Sources& sources) {
+    try {
+        return glsl::expand(sources, standalone_source(c), c.name).size();
+    } catch (const Error&) {
+        return 0;
+    }
+}
+
 } // namespace
 
 std::string to_string(Verdict verdict) {
@@ -176,6 +184,12 @@ std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOp
     std::mutex mutex;
     std::exception_ptr failure;
 
+    // Long kernels first, so that no worker is left alone with one at the end.
+    std::vector<std::size_t> order(cases.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater{},
+                             [&](std::size_t i) { return source_length(*cases[i], sources); });
+
     // Masks are the same for every kernel: one corpus, drawn from the seed that was given or from a fixed
     // one.
     std::promise<std::shared_ptr<const EdgePool>> pool_promise;
@@ -184,7 +198,8 @@ std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOp
     const auto work = [&] {
         try {
             WorkerDevice device(options.device);
-            for (std::size_t i = next++; i < cases.size(); i = next++) {
+            for (std::size_t n = next++; n < cases.size(); n = next++) {
+                const std::size_t i = order[n];
                 reports[i] = check_one(*cases[i], options, sources, pool.get(), device);
                 const std::scoped_lock lock(mutex);
                 if (done) done(++finished);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
+#include <map>
 
 namespace gnomon {
 
@@ -40,26 +40,46 @@ std::string to_string(const Tolerance& tolerance) {
     return "exact";
 }
 
-std::vector<double> fact(const Facts& facts, const std::string& name) {
-    const reference::Edge& e = facts.edge;
-    const glm::ivec2 reach_x(e.reach.x, e.reach.y), reach_y(e.reach.z, e.reach.w);
-    const auto one_sided = [](glm::ivec2 reach) { return reference::edge_type(reach) == 0; };
-    if (name == "texel") return {static_cast<double>(facts.texel.x), static_cast<double>(facts.texel.y)};
-    if (name == "p") return {facts.p.x, facts.p.y};
-    if (name == "sides") return {static_cast<double>(e.sides.x), static_cast<double>(e.sides.y)};
-    if (name == "side_x") return {static_cast<double>(e.sides.x)};
-    if (name == "side_y") return {static_cast<double>(e.sides.y)};
-    if (name == "type") return {static_cast<double>(e.type.x), static_cast<double>(e.type.y)};
-    if (name == "dominant") return {static_cast<double>(e.dominant.x), static_cast<double>(e.dominant.y)};
-    if (name == "along_x" && one_sided(reach_x)) return {reference::along(reach_x, facts.p.x)};
-    if (name == "along_y" && one_sided(reach_y)) return {reference::along(reach_y, facts.p.y)};
-    if (name == "reach") {
-        const glm::ivec2 reach = facts.along_y ? reach_y : reach_x;
-        return {static_cast<double>(reach.x), static_cast<double>(reach.y)};
-    }
-    if (name == "c") return {facts.along_y ? facts.p.y : facts.p.x};
-    if (name == "heading") return facts.along_y ? std::vector<double>{0, 1} : std::vector<double>{1, 0};
-    return {};
+namespace {
+
+glm::ivec2 reach_x(const Facts& f) { return {f.edge.reach.x, f.edge.reach.y}; }
+glm::ivec2 reach_y(const Facts& f) { return {f.edge.reach.z, f.edge.reach.w}; }
+
+int put(Numbers& out, double x) {
+    out[0] = x;
+    return 1;
+}
+template <typename V>
+int put(Numbers& out, const V& v) {
+    out[0] = static_cast<double>(v.x);
+    out[1] = static_cast<double>(v.y);
+    return 2;
+}
+int put_along(Numbers& out, glm::ivec2 reach, double c) {
+    return reference::edge_type(reach) == 0 ? put(out, reference::along(reach, c)) : 0;
+}
+
+} // namespace
+
+Fact find_fact(const std::string& name) {
+    static const std::map<std::string, Fact> facts{
+        {"texel", [](const Facts& f, Numbers& out) { return put(out, f.texel); }},
+        {"p", [](const Facts& f, Numbers& out) { return put(out, f.p); }},
+        {"sides", [](const Facts& f, Numbers& out) { return put(out, f.edge.sides); }},
+        {"side_x",
+         [](const Facts& f, Numbers& out) { return put(out, static_cast<double>(f.edge.sides.x)); }},
+        {"side_y",
+         [](const Facts& f, Numbers& out) { return put(out, static_cast<double>(f.edge.sides.y)); }},
+        {"reach", [](const Facts& f, Numbers& out) { return put(out, f.along_y ? reach_y(f) : reach_x(f)); }},
+        {"type", [](const Facts& f, Numbers& out) { return put(out, f.edge.type); }},
+        {"dominant", [](const Facts& f, Numbers& out) { return put(out, f.edge.dominant); }},
+        {"along_x", [](const Facts& f, Numbers& out) { return put_along(out, reach_x(f), f.p.x); }},
+        {"along_y", [](const Facts& f, Numbers& out) { return put_along(out, reach_y(f), f.p.y); }},
+        {"heading", [](const Facts& f, Numbers& out) { return put(out, glm::ivec2(!f.along_y, f.along_y)); }},
+        {"c", [](const Facts& f, Numbers& out) { return put(out, f.along_y ? f.p.y : f.p.x); }},
+    };
+    const auto found = facts.find(name);
+    return found == facts.end() ? nullptr : found->second;
 }
 
 std::string function_name(const Case& c) {
@@ -104,33 +124,6 @@ bool in_domain(const Case& c, const Arguments& arguments) {
         }
     }
     return !c.where || c.where(arguments);
-}
-
-double widen(Scalar scalar, std::uint32_t word) {
-    switch (scalar) {
-    case Scalar::float32:
-        return static_cast<double>(std::bit_cast<float>(word));
-    case Scalar::int32:
-        return static_cast<double>(std::bit_cast<std::int32_t>(word));
-    case Scalar::boolean:
-    case Scalar::uint32:
-        break;
-    }
-    return static_cast<double>(word);
-}
-
-std::uint32_t narrow(Scalar scalar, double number) {
-    switch (scalar) {
-    case Scalar::float32:
-        return std::bit_cast<std::uint32_t>(static_cast<float>(number));
-    case Scalar::int32:
-        return std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(number));
-    case Scalar::boolean:
-        return number != 0 ? 1u : 0u;
-    case Scalar::uint32:
-        break;
-    }
-    return static_cast<std::uint32_t>(number);
 }
 
 Arguments arguments(const Case& c, std::span<const std::uint32_t> words, const Mask* mask) {

@@ -14,6 +14,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -86,8 +87,7 @@ struct Reference {
     Reference(Function function); // NOLINT: a table entry reads `.reference = [](…) {…}`
 };
 
-/// What a texel of a mask and a point in it say about a kernel's parameters, by their names: `texel`, `p`,
-/// `sides`, `side_x`, `side_y`, `reach`, `type`, `dominant`, `along_x`, `along_y`, `heading`, `c`.
+/// What a texel of a mask and a point in it say about a kernel's parameters.
 struct Facts {
     glm::ivec2 texel{0};
     glm::dvec2 p{0};
@@ -95,8 +95,12 @@ struct Facts {
     bool along_y =
         false; ///< for what exists once per axis (`reach` of one run, its `c`, `heading`): the y axis
 };
-/// The components of parameter `name`, or nothing if facts do not speak of it.
-std::vector<double> fact(const Facts& facts, const std::string& name);
+
+/// A fact by the name of the parameter that takes it: "texel", "p", "sides", "side_x", "side_y", "reach",
+/// "type", "dominant", "along_x", "along_y", "heading", "c". Writes its components and returns how many, 0 if
+/// these facts do not hold it (a position along a run that does not end once). Null for any other name.
+using Fact = int (*)(const Facts&, Numbers&);
+Fact find_fact(const std::string& name);
 
 struct Case {
     std::string name;   ///< "smsr/case_09": the file kernels/smsr/case_09.glsl, the function smsr_case_09
@@ -127,8 +131,31 @@ std::vector<std::string> columns(const Case& c);
 bool in_domain(const Case& c, const Arguments& arguments);
 
 /// Words are what the device sees: floats as their bits.
-double widen(Scalar scalar, std::uint32_t word);
-std::uint32_t narrow(Scalar scalar, double number);
+inline double widen(Scalar scalar, std::uint32_t word) {
+    switch (scalar) {
+    case Scalar::float32:
+        return static_cast<double>(std::bit_cast<float>(word));
+    case Scalar::int32:
+        return static_cast<double>(std::bit_cast<std::int32_t>(word));
+    case Scalar::boolean:
+    case Scalar::uint32:
+        break;
+    }
+    return static_cast<double>(word);
+}
+inline std::uint32_t narrow(Scalar scalar, double number) {
+    switch (scalar) {
+    case Scalar::float32:
+        return std::bit_cast<std::uint32_t>(static_cast<float>(number));
+    case Scalar::int32:
+        return std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(number));
+    case Scalar::boolean:
+        return number != 0 ? 1u : 0u;
+    case Scalar::uint32:
+        break;
+    }
+    return static_cast<std::uint32_t>(number);
+}
 Arguments arguments(const Case& c, std::span<const std::uint32_t> words, const Mask* mask);
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -15,12 +15,14 @@ public:
 
     std::uint64_t bits() { return mix(state_ += golden); }
 
-    /// 0 … n-1, without bias: the product's low half tells which draws would favour small numbers (Lemire
+    /// 0 … n-1, without bias: draws whose product's low half falls short would favour small numbers (Lemire
     /// 2019).
     std::uint32_t below(std::uint32_t n) {
         std::uint64_t product = (bits() >> 32) * n;
-        const std::uint32_t threshold = (0u - n) % n;
-        while (static_cast<std::uint32_t>(product) < threshold) product = (bits() >> 32) * n;
+        if (static_cast<std::uint32_t>(product) < n) {
+            const std::uint32_t threshold = (0u - n) % n;
+            while (static_cast<std::uint32_t>(product) < threshold) product = (bits() >> 32) * n;
+        }
         return static_cast<std::uint32_t>(product >> 32);
     }
 

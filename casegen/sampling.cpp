@@ -16,24 +16,25 @@ constexpr int mask_size = 32;
 constexpr int members_per_family = 6;
 constexpr std::size_t most_combinations = 4096;
 
-/// A float in [lower, upper]. A third each: uniform; over bit patterns, so that every decade has its share;
-/// multiples of a power of two, where ties and cancellations live.
+/// A float in [lower, upper]: half of them uniform; a quarter over bit patterns, so that every decade has its
+/// share; a quarter multiples of a power of two, where ties and cancellations live. All from one draw of 64
+/// bits.
 double draw_float(Random& random, double lower, double upper) {
-    switch (random.below(3)) {
-    case 0:
-        break;
-    case 1: {
+    const std::uint64_t bits = random.bits();
+    const std::uint64_t choice = bits & 3, fraction = bits >> 11; // 53 bits
+    if (choice == 3) {
+        const std::uint64_t steps = std::uint64_t{1} << ((bits >> 2) % 9); // 1 … 256
+        return lower +
+               (upper - lower) * static_cast<double>(fraction % (steps + 1)) / static_cast<double>(steps);
+    }
+    if (choice == 2 && lower >= 0 && upper > lower) { // patterns are ordered for positive numbers only
         const auto low = std::bit_cast<std::uint32_t>(static_cast<float>(lower));
         const auto high = std::bit_cast<std::uint32_t>(static_cast<float>(upper));
-        if (lower < 0 || high <= low) break; // patterns are ordered for positive numbers only
-        return static_cast<double>(std::bit_cast<float>(low + random.below(high - low + 1)));
+        return static_cast<double>(std::bit_cast<float>(
+            static_cast<std::uint32_t>(low + fraction % (std::uint64_t{high} - low + 1))));
     }
-    default: {
-        const int steps = 1 << random.between(0, 8);
-        return lower + (upper - lower) * random.between(0, steps) / steps;
-    }
-    }
-    const auto drawn = static_cast<double>(static_cast<float>(lower + (upper - lower) * random.unit()));
+    const double unit = static_cast<double>(fraction) * 0x1p-53;
+    const auto drawn = static_cast<double>(static_cast<float>(lower + (upper - lower) * unit));
     return std::clamp(drawn, lower, upper); // rounding to float may leave the interval
 }
 
@@ -90,6 +91,11 @@ EdgePool make_edge_pool(std::uint64_t seed) {
 Sampler::Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePool> pool,
                  const std::filesystem::path& pins)
     : case_(c), seed_(seed), pool_(std::move(pool)) {
+    for (std::size_t i = 0; i < c.parameters.size(); ++i) {
+        const Parameter& parameter = c.parameters[i];
+        slots_.push_back({c.reference.parameters[i], &parameter.domain, find_fact(parameter.name),
+                          parameter.name == "texel"});
+    }
     // A case of a decision list is met at lit texels only; where the shadow test is turned round it would
     // mean another edge.
     for (std::uint32_t i = 0; i < pool_->entries.size(); ++i) {
@@ -106,11 +112,6 @@ Sampler::Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePo
         }
     }
     make_hostile();
-}
-
-const Mask& Sampler::mask(std::size_t index) const {
-    const std::size_t pooled = pool_->masks.size();
-    return index < pooled ? pool_->masks[index] : pinned_masks_[index - pooled];
 }
 
 /// Every combination of every component's hostile values if these are few; else each of them amid ordinary
@@ -142,10 +143,10 @@ void Sampler::make_hostile() {
     for (std::size_t component = 0; component < values.size(); ++component)
         for (const std::uint32_t value : values[component])
             for (int repeat = 0; repeat < 8; ++repeat) {
-                Sample sample;
-                draw_abstract(random, sample);
-                sample.words[component] = value;
-                hostile_.push_back(std::move(sample.words));
+                std::vector<std::uint32_t> words(values.size());
+                draw_abstract(random, words);
+                words[component] = value;
+                hostile_.push_back(std::move(words));
             }
     for (std::size_t n = 0; n < most_combinations / 2; ++n) {
         std::vector<std::uint32_t> words;
@@ -157,68 +158,74 @@ void Sampler::make_hostile() {
 
 Sampler::Sample Sampler::draw(std::size_t index) const {
     Sample sample;
-    Random random(seed_, index);
-    if (index < pinned_.size()) {
-        sample.words = pinned_[index];
-        sample.mask_index = static_cast<std::uint32_t>(pool_->masks.size() + index);
-    } else if (index < fixed_count()) {
-        sample.words = hostile_[index - pinned_.size()];
-        sample.mask_index = random.below(static_cast<std::uint32_t>(pool_->masks.size()));
-    } else if (index % 2 == 1 && !chosen_.empty()) {
-        draw_from_mask(random, sample);
-    } else {
-        draw_abstract(random, sample);
-    }
-    if (case_.reference.takes_mask)
-        sample.mask = &mask(sample.mask_index);
-    else
-        sample.mask_index = 0;
+    sample.words.resize(word_count(case_));
+    sample.mask = draw(index, sample.words);
     return sample;
 }
 
-void Sampler::draw_abstract(Random& random, Sample& sample) const {
-    sample.mask_index = random.below(static_cast<std::uint32_t>(pool_->masks.size()));
-    for (std::size_t i = 0; i < case_.parameters.size(); ++i) {
-        const Domain& domain = case_.parameters[i].domain;
-        const Type type = case_.reference.parameters[i];
-        if (!domain.choices.empty()) {
-            for (const double v :
-                 domain.choices[random.below(static_cast<std::uint32_t>(domain.choices.size()))])
-                sample.words.push_back(narrow(type.scalar, v));
-            continue;
-        }
-        const bool texel = case_.parameters[i].name == "texel"; // in the map, or just beyond its border
-        for (int k = 0; k < type.components; ++k) {
-            double number = 0;
-            if (texel)
-                number = random.between(-2, mask_size + 1);
-            else if (type.scalar == Scalar::float32)
-                number = draw_float(random, domain.lower, domain.upper);
-            else
-                number = random.between(static_cast<int>(domain.lower), static_cast<int>(domain.upper));
-            sample.words.push_back(narrow(type.scalar, number));
-        }
+const Mask* Sampler::draw(std::size_t index, std::span<std::uint32_t> words) const {
+    Random random(seed_, index);
+    std::uint32_t mask = 0;
+    if (index < fixed_count()) {
+        const bool pinned = index < pinned_.size();
+        std::ranges::copy(pinned ? pinned_[index] : hostile_[index - pinned_.size()], words.begin());
+        if (pinned) return case_.reference.takes_mask ? &pinned_masks_[index] : nullptr;
+        mask = random.below(static_cast<std::uint32_t>(pool_->masks.size()));
+    } else if (index % 2 == 1 && !chosen_.empty()) {
+        mask = draw_from_mask(random, words);
+    } else {
+        mask = draw_abstract(random, words);
+    }
+    return case_.reference.takes_mask ? &pool_->masks[mask] : nullptr;
+}
+
+void Sampler::draw_slot(Random& random, const Slot& slot, std::span<std::uint32_t> words) const {
+    const Domain& domain = *slot.domain;
+    const auto components = static_cast<std::size_t>(slot.type.components);
+    if (!domain.choices.empty()) {
+        const auto& choice = domain.choices[random.below(static_cast<std::uint32_t>(domain.choices.size()))];
+        for (std::size_t k = 0; k < components; ++k) words[k] = narrow(slot.type.scalar, choice[k]);
+        return;
+    }
+    for (std::size_t k = 0; k < components; ++k) {
+        double number = 0;
+        if (slot.is_texel)
+            number = random.between(-2, mask_size + 1);
+        else if (slot.type.scalar == Scalar::float32)
+            number = draw_float(random, domain.lower, domain.upper);
+        else
+            number = random.between(static_cast<int>(domain.lower), static_cast<int>(domain.upper));
+        words[k] = narrow(slot.type.scalar, number);
     }
 }
 
-void Sampler::draw_from_mask(Random& random, Sample& sample) const {
-    draw_abstract(random, sample); // for the parameters that a mask says nothing about
+std::uint32_t Sampler::draw_abstract(Random& random, std::span<std::uint32_t> words) const {
+    for (const Slot& slot : slots_) {
+        draw_slot(random, slot, words);
+        words = words.subspan(static_cast<std::size_t>(slot.type.components));
+    }
+    return random.below(static_cast<std::uint32_t>(pool_->masks.size()));
+}
+
+std::uint32_t Sampler::draw_from_mask(Random& random, std::span<std::uint32_t> words) const {
     const EdgePool::Entry& entry =
         pool_->entries[chosen_[random.below(static_cast<std::uint32_t>(chosen_.size()))]];
-    sample.mask_index = entry.mask;
     Facts facts;
     facts.texel = entry.texel;
-    facts.p = {draw_float(random, 0, 1), draw_float(random, 0, 1)};
+    facts.p.x = draw_float(random, 0, 1);
+    facts.p.y = draw_float(random, 0, 1);
     facts.edge = entry.edge;
     facts.along_y = random.chance(0.5);
-    std::size_t word = 0;
-    for (std::size_t i = 0; i < case_.parameters.size(); ++i) {
-        const Type type = case_.reference.parameters[i];
-        const std::vector<double> numbers = fact(facts, case_.parameters[i].name);
-        for (std::size_t k = 0; k < numbers.size(); ++k)
-            sample.words[word + k] = narrow(type.scalar, numbers[k]);
-        word += static_cast<std::size_t>(type.components);
+    for (const Slot& slot : slots_) {
+        Numbers numbers{};
+        const int known = slot.fact ? slot.fact(facts, numbers) : 0;
+        if (known == 0) draw_slot(random, slot, words);
+        for (int k = 0; k < known; ++k)
+            words[static_cast<std::size_t>(k)] =
+                narrow(slot.type.scalar, numbers[static_cast<std::size_t>(k)]);
+        words = words.subspan(static_cast<std::size_t>(slot.type.components));
     }
+    return entry.mask;
 }
 
 } // namespace gnomon

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace gnomon {
@@ -35,28 +36,34 @@ public:
 
     struct Sample {
         std::vector<std::uint32_t> words; ///< word_count(case) of them
-        const Mask* mask = nullptr;       ///< lives as long as the sampler
-        std::uint32_t mask_index = 0;     ///< into masks()
+        const Mask* mask = nullptr;       ///< lives as long as the sampler; null if the kernel takes none
     };
     Sample draw(std::size_t index) const;
+    /// The same without an allocation: writes the words, returns the mask (null if the kernel takes none).
+    const Mask* draw(std::size_t index, std::span<std::uint32_t> words) const;
 
     /// Pins and hostile values: every run begins with all of them.
     std::size_t fixed_count() const { return pinned_.size() + hostile_.size(); }
 
-    /// The pool's masks, then the pins'.
-    std::size_t mask_count() const { return pool_->masks.size() + pinned_masks_.size(); }
-    const Mask& mask(std::size_t index) const;
-
     std::uint64_t seed() const { return seed_; }
 
 private:
-    void draw_abstract(Random& random, Sample& sample) const;
-    void draw_from_mask(Random& random, Sample& sample) const;
+    /// A parameter, with all that drawing it asks for looked up once.
+    struct Slot {
+        Type type;
+        const Domain* domain;
+        Fact fact;     ///< null: masks say nothing about it
+        bool is_texel; ///< drawn within a mask and just beyond it
+    };
+    void draw_slot(Random& random, const Slot& slot, std::span<std::uint32_t> words) const;
+    std::uint32_t draw_abstract(Random& random, std::span<std::uint32_t> words) const;
+    std::uint32_t draw_from_mask(Random& random, std::span<std::uint32_t> words) const;
     void make_hostile();
 
     const Case& case_;
     std::uint64_t seed_;
     std::shared_ptr<const EdgePool> pool_;
+    std::vector<Slot> slots_;
     std::vector<std::uint32_t> chosen_; ///< entries of the pool that the case applies to
     std::vector<std::vector<std::uint32_t>> hostile_, pinned_;
     std::vector<Mask> pinned_masks_; ///< one per pin if the case takes a mask

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace gnomon {
 namespace {
@@ -135,28 +136,31 @@ glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources) {
     }
 }
 
-std::size_t Records::stride() const { return record_words(*case_); }
+Records::Records(const Case& c)
+    : takes_mask_(c.reference.takes_mask), word_count_(word_count(c)), stride_(record_words(c)) {}
 
 void Records::add(std::span<const std::uint32_t> words, const Mask* mask) {
-    const std::size_t begin = words_.size();
-    words_.insert(words_.end(), words.begin(), words.end());
-    if (case_->reference.takes_mask) {
-        auto found = std::ranges::find(packed_, mask, &std::pair<const Mask*, std::uint32_t>::first);
-        if (found == packed_.end()) {
-            const auto first = static_cast<std::uint32_t>(mask_words_.size());
-            mask_words_.resize(mask_words_.size() + (mask->texels.size() + 31) / 32);
-            for (std::size_t i = 0; i < mask->texels.size(); ++i)
-                if (mask->texels[i] != 0) mask_words_[first + i / 32] |= 1u << (i % 32);
-            found = packed_.insert(packed_.end(), {mask, first});
-        }
-        for (const std::uint32_t word :
-             {found->second, static_cast<std::uint32_t>(mask->width),
-              static_cast<std::uint32_t>(mask->height), static_cast<std::uint32_t>(mask->outside)})
-            words_.push_back(word);
-    }
-    words_.resize(begin + stride());
+    add_with([&](std::span<std::uint32_t> to) {
+        std::ranges::copy(words, to.begin());
+        return mask;
+    });
+}
+
+void Records::place_mask(std::size_t begin, const Mask* mask) {
     mask_of_.push_back(mask);
-    ++count_;
+    if (!takes_mask_) return;
+    auto found = std::ranges::find(packed_, mask, &std::pair<const Mask*, std::uint32_t>::first);
+    if (found == packed_.end()) {
+        const auto first = static_cast<std::uint32_t>(mask_words_.size());
+        mask_words_.resize(mask_words_.size() + (mask->texels.size() + 31) / 32);
+        for (std::size_t i = 0; i < mask->texels.size(); ++i)
+            if (mask->texels[i] != 0) mask_words_[first + i / 32] |= 1u << (i % 32);
+        found = packed_.insert(packed_.end(), {mask, first});
+    }
+    const std::array words{found->second, static_cast<std::uint32_t>(mask->width),
+                           static_cast<std::uint32_t>(mask->height),
+                           static_cast<std::uint32_t>(mask->outside)};
+    std::ranges::copy(words, words_.begin() + static_cast<std::ptrdiff_t>(begin + word_count_));
 }
 
 Outputs run_standalone(gpu::Device& device, gpu::Kernel& kernel, const Case& c, const Records& records) {

@@ -28,24 +28,36 @@ glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources);
 /// that say where its mask is, padded to whole uvec4.
 class Records {
 public:
-    explicit Records(const Case& c) : case_(&c) {}
+    explicit Records(const Case& c);
 
-    void reserve(std::size_t samples) { words_.reserve(samples * stride()); }
+    void reserve(std::size_t samples) {
+        words_.reserve(samples * stride_);
+        mask_of_.reserve(samples);
+    }
     /// `mask` may be null if the kernel takes none. A mask is packed once however many samples name it.
     void add(std::span<const std::uint32_t> words, const Mask* mask);
+    /// The same with words and mask from `fill(std::span<std::uint32_t>) -> const Mask*`, without a copy.
+    template <typename Fill>
+    void add_with(Fill&& fill) {
+        const std::size_t begin = words_.size();
+        words_.resize(begin + stride_);
+        place_mask(begin, fill(std::span(words_).subspan(begin, word_count_)));
+    }
 
-    std::size_t size() const { return count_; }
-    std::size_t stride() const; ///< words per record, a multiple of 4
+    std::size_t size() const { return mask_of_.size(); }
+    std::size_t stride() const { return stride_; } ///< words per record, a multiple of 4
     std::span<const std::uint32_t> words() const { return words_; }
     std::span<const std::uint32_t> masks() const { return mask_words_; }
     std::span<const std::uint32_t> input(std::size_t index) const { ///< the parameters' words of one record
-        return std::span(words_).subspan(index * stride(), word_count(*case_));
+        return std::span(words_).subspan(index * stride_, word_count_);
     }
     const Mask* mask(std::size_t index) const { return mask_of_[index]; }
 
 private:
-    const Case* case_;
-    std::size_t count_ = 0;
+    void place_mask(std::size_t begin, const Mask* mask);
+
+    bool takes_mask_;
+    std::size_t word_count_, stride_;
     std::vector<std::uint32_t> words_, mask_words_;
     std::vector<const Mask*> mask_of_; ///< per record; null if the kernel takes none
     std::vector<std::pair<const Mask*, std::uint32_t>>

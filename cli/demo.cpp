@@ -86,8 +86,8 @@ int run(const std::filesystem::path& folder, const Common& common) {
 } // namespace
 
 void add_demo(CLI::App& app, Common& common, int& exit_code) {
-    CLI::App* verb =
-        app.add_subcommand("demo", "check every kernel, then render the demo scene with every technique and judge it");
+    CLI::App* verb = app.add_subcommand(
+        "demo", "check every kernel, then render the demo scene with every technique and judge it");
     auto folder = std::make_shared<std::filesystem::path>("out/demo");
     verb->add_option("--out", *folder, "folder for pictures and report.json")->capture_default_str();
     verb->callback([folder, &common, &exit_code] { exit_code = run(*folder, common); });

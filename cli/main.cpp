@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <new>
 
+#include <malloc.h>
+
 namespace {
 
 using namespace gnomon;
@@ -37,6 +39,9 @@ int run(int argc, char** argv) {
         ->check(CLI::Range(0.001, 1e6))
         ->capture_default_str();
 
+    app.parse_complete_callback(
+        [&] { gpu::prepare_process(common.device.name.empty() && !app.got_subcommand("devices")); });
+
     cli::add_list(app, common);
     cli::add_describe(app, common);
     cli::add_check(app, common, exit_code);
@@ -61,6 +66,10 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    // Buffers of a few MiB come and go with every kernel: keep their pages instead of faulting them in anew
+    // each time.
+    mallopt(M_MMAP_THRESHOLD, 1 << 30);
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
     int exit_code = 2;
     try {
         exit_code = run(argc, argv);

@@ -26,7 +26,8 @@ std::pair<int, int> parse_size(const std::string& text, const char* option) {
     const auto number = [&](std::string_view part) {
         int value = 0;
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-        if (x == std::string::npos || part.empty() || error != std::errc{} || end != part.data() + part.size())
+        if (x == std::string::npos || part.empty() || error != std::errc{} ||
+            end != part.data() + part.size())
             throw Error("{} is \"{}\"; WIDTHxHEIGHT is needed, as 1024x768", option, text);
         return value;
     };

@@ -25,14 +25,16 @@ struct Options {
 
 void run(const Options& options, const Common& common) {
     const Scene scene = options.scene.empty() ? demo_scene() : load_scene(options.scene);
-    for (const std::string& warning : scene.warnings) fmt::print(stderr, "gnomon: {}: {}\n", scene.name, warning);
+    for (const std::string& warning : scene.warnings)
+        fmt::print(stderr, "gnomon: {}: {}\n", scene.name, warning);
 
     Camera camera = default_camera(scene.bounds());
     if (!options.camera_position.empty())
         camera.position = parse_vector(options.camera_position, "--camera-position");
     if (!options.camera_direction.empty())
         camera.direction = parse_vector(options.camera_direction, "--camera-direction");
-    else if (!options.camera_position.empty()) camera.direction = scene.bounds().centre() - camera.position;
+    else if (!options.camera_position.empty())
+        camera.direction = scene.bounds().centre() - camera.position;
     if (options.fov != 0) camera.fov = options.fov;
     if (options.near != 0) camera.near = options.near;
     if (options.far != 0) camera.far = options.far;
@@ -61,15 +63,16 @@ void run(const Options& options, const Common& common) {
     const Rendering truth = renderer.render(truth_technique, options.frames);
     progress.show(1, 2);
     Judged judged{options.technique, {}, {}};
-    judged.rendering =
-        options.technique == "raytraced" ? truth : renderer.render(technique_by_name(options.technique), options.frames);
+    judged.rendering = options.technique == "raytraced"
+                           ? truth
+                           : renderer.render(technique_by_name(options.technique), options.frames);
     judged.counts = count_pixels(renderer.surfaces(), judged.rendering.visibility, truth.visibility);
     require_no_validation_messages();
 
     if (!options.image.empty()) write_png(options.image, judged.rendering.image);
     if (!options.errors.empty())
-        write_png(options.errors, false_colours(renderer.surfaces(), judged.rendering.visibility, truth.visibility,
-                                                settings.width, settings.height));
+        write_png(options.errors, false_colours(renderer.surfaces(), judged.rendering.visibility,
+                                                truth.visibility, settings.width, settings.height));
     nlohmann::ordered_json report{{"gnomon", GNOMON_VERSION},
                                   {"scene", scene.name},
                                   {"triangles", scene.triangles.size()},
@@ -80,37 +83,45 @@ void run(const Options& options, const Common& common) {
     if (!options.report.empty()) write_file(options.report, report.dump(2) + "\n");
     fmt::print("{}", judged_table({judged}));
     const PixelCounts& c = judged.counts;
-    fmt::print("{} pixels see a surface: {} face the light ({} lit, {} shadowed by truth), {} face away\n", c.covered,
-               c.facing, c.truly_lit, c.truly_shadowed, c.facing_away);
-    for (const Step& step : judged.rendering.steps) fmt::print("  {:<12} {:8.2f} ms\n", step.name, step.milliseconds);
+    fmt::print("{} pixels see a surface: {} face the light ({} lit, {} shadowed by truth), {} face away\n",
+               c.covered, c.facing, c.truly_lit, c.truly_shadowed, c.facing_away);
+    for (const Step& step : judged.rendering.steps)
+        fmt::print("  {:<12} {:8.2f} ms\n", step.name, step.milliseconds);
 }
 
 } // namespace
 
 void add_render(CLI::App& app, Common& common) {
-    CLI::App* verb = app.add_subcommand("render", "render a scene and judge its shadows against ray-traced truth");
+    CLI::App* verb =
+        app.add_subcommand("render", "render a scene and judge its shadows against ray-traced truth");
     auto options = std::make_shared<Options>();
     verb->add_option("SCENE", options->scene, "glTF, OBJ or PLY file (default: the demo scene)");
     verb->add_option("--technique", options->technique, "how visibility is found")
         ->check(CLI::IsMember(technique_names()))
         ->capture_default_str();
     verb->add_option("--camera-position", options->camera_position, "X,Y,Z (default: sees the whole scene)");
-    verb->add_option("--camera-direction", options->camera_direction, "X,Y,Z (default: towards the scene's centre)");
+    verb->add_option("--camera-direction", options->camera_direction,
+                     "X,Y,Z (default: towards the scene's centre)");
     verb->add_option("--fov", options->fov, "vertical field of view in degrees (default: 50)");
     verb->add_option("--near", options->near, "nearest distance seen (default: from the scene's size)");
     verb->add_option("--far", options->far, "farthest distance seen (default: from the scene's size)");
     verb->add_option("--light-direction", options->light_direction,
                      "X,Y,Z: the way light travels (default: 0.5,-0.7,0.3)");
-    verb->add_option("--light-position", options->light_position, "X,Y,Z of a perspective light (default: directional)");
-    verb->add_option("--light-fov", options->light_fov, "its field of view in degrees")->capture_default_str();
+    verb->add_option("--light-position", options->light_position,
+                     "X,Y,Z of a perspective light (default: directional)");
+    verb->add_option("--light-fov", options->light_fov, "its field of view in degrees")
+        ->capture_default_str();
     verb->add_option("--size", options->size, "WIDTHxHEIGHT of the image in pixels")->capture_default_str();
-    verb->add_option("--shadow-map", options->shadow_map, "texels on a side of the shadow map")->capture_default_str();
-    verb->add_option("--bias", options->bias, "of the shadow test, in world units (default: rounding of the depth range)");
+    verb->add_option("--shadow-map", options->shadow_map, "texels on a side of the shadow map")
+        ->capture_default_str();
+    verb->add_option("--bias", options->bias,
+                     "of the shadow test, in world units (default: rounding of the depth range)");
     verb->add_option("--receiver", options->receiver,
                      "what is tested against neighbouring texels: the receiver's plane, or its depth alone")
         ->check(CLI::IsMember({"plane", "depth"}))
         ->capture_default_str();
-    verb->add_option("--frames", options->frames, "frames that times are the median of; one more is discarded")
+    verb->add_option("--frames", options->frames,
+                     "frames that times are the median of; one more is discarded")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
     verb->add_option("--report", options->report, "JSON file to write");

@@ -44,8 +44,9 @@ std::string judged_table(const std::vector<Judged>& all) {
     std::string text = fmt::format("{:<12}  {:>12}  {:>14}  {:>8}  {:>15}\n", "technique", "wrongly lit",
                                    "wrongly shadow", "error", "visibility time");
     for (const Judged& j : all)
-        text += fmt::format("{:<12}  {:>12}  {:>14}  {:>7.3f}%  {:>12.2f} ms\n", j.technique, j.counts.wrong_lit,
-                            j.counts.wrong_shadowed, 100 * j.counts.wrong_share(), j.visibility_milliseconds());
+        text +=
+            fmt::format("{:<12}  {:>12}  {:>14}  {:>7.3f}%  {:>12.2f} ms\n", j.technique, j.counts.wrong_lit,
+                        j.counts.wrong_shadowed, 100 * j.counts.wrong_share(), j.visibility_milliseconds());
     return text;
 }
 

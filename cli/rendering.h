@@ -18,7 +18,8 @@ struct Judged {
     std::string technique;
     Rendering rendering;
     PixelCounts counts;
-    double visibility_milliseconds() const; ///< of the steps that are the technique's own: map and visibility, or rays
+    double visibility_milliseconds()
+        const; ///< of the steps that are the technique's own: map and visibility, or rays
 };
 
 /// Text: one row per technique, error beside time.

@@ -59,7 +59,8 @@ public:
     }
 
 private:
-    std::vector<std::uint32_t> run(const Case& c, gpu::Kernel& kernel, std::span<const Point> points, bool with_p) {
+    std::vector<std::uint32_t> run(const Case& c, gpu::Kernel& kernel, std::span<const Point> points,
+                                   bool with_p) {
         Records records(c);
         records.reserve(points.size());
         for (const Point& point : points) {
@@ -95,7 +96,9 @@ void write_image(Technique& technique, const Mask& mask, int scale, const std::f
         std::vector<Point> points;
         for (int y = first; y < last; ++y)
             for (int x = 0; x < image.width; ++x) {
-                const auto within = [&](int i) { return (static_cast<float>(i % scale) + 0.5f) / static_cast<float>(scale); };
+                const auto within = [&](int i) {
+                    return (static_cast<float>(i % scale) + 0.5f) / static_cast<float>(scale);
+                };
                 points.push_back({{x / scale, y / scale}, {within(x), within(y)}});
             }
         const std::vector<float> values = technique.visibility(points);
@@ -114,12 +117,14 @@ std::string sample(Technique& technique, const std::filesystem::path& path) {
     std::vector<Point> points;
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
         const auto whole = [&](std::size_t column) {
-            return std::bit_cast<int>(parse_word(Scalar::int32, csv.rows[row][column], csv.place(row, column)));
+            return std::bit_cast<int>(
+                parse_word(Scalar::int32, csv.rows[row][column], csv.place(row, column)));
         };
         const auto fraction = [&](std::size_t column) {
-            const float v =
-                std::bit_cast<float>(parse_word(Scalar::float32, csv.rows[row][column], csv.place(row, column)));
-            if (!(v >= 0 && v <= 1)) throw Error("{} is {}; a position within the texel is 0 to 1", csv.place(row, column), v);
+            const float v = std::bit_cast<float>(
+                parse_word(Scalar::float32, csv.rows[row][column], csv.place(row, column)));
+            if (!(v >= 0 && v <= 1))
+                throw Error("{} is {}; a position within the texel is 0 to 1", csv.place(row, column), v);
             return v;
         };
         points.push_back({{whole(x), whole(y)}, {fraction(px), fraction(py)}});
@@ -136,11 +141,14 @@ void run(const Options& options, const Common& common) {
     std::optional<std::filesystem::path> image, table;
     for (const std::filesystem::path& path : options.out) {
         std::optional<std::filesystem::path>& slot = path.extension() == ".png" ? image : table;
-        if (slot) throw Error("--out {}: two files of one kind; one .png and one table are possible", path.string());
+        if (slot)
+            throw Error("--out {}: two files of one kind; one .png and one table are possible",
+                        path.string());
         slot = path;
     }
     if (table && options.samples.empty())
-        throw Error("--out {}: a table needs --samples IN.csv; an image's name ends in .png", table->string());
+        throw Error("--out {}: a table needs --samples IN.csv; an image's name ends in .png",
+                    table->string());
     if (!image && options.samples.empty())
         throw Error("revectorize needs --out IMAGE.png, or --samples IN.csv, or both");
     Mask mask = load_mask(options.mask);
@@ -150,8 +158,10 @@ void run(const Options& options, const Common& common) {
     if (image) write_image(technique, mask, options.scale, *image);
     if (!options.samples.empty()) {
         const std::string text = sample(technique, options.samples);
-        if (table) write_file(*table, text);
-        else fmt::print("{}", text);
+        if (table)
+            write_file(*table, text);
+        else
+            fmt::print("{}", text);
     }
     require_no_validation_messages();
 }
@@ -159,9 +169,11 @@ void run(const Options& options, const Common& common) {
 } // namespace
 
 void add_revectorize(CLI::App& app, Common& common) {
-    CLI::App* verb = app.add_subcommand("revectorize", "run a technique's assembled kernel over a shadow mask");
+    CLI::App* verb =
+        app.add_subcommand("revectorize", "run a technique's assembled kernel over a shadow mask");
     auto options = std::make_shared<Options>();
-    verb->add_option("MASK", options->mask, "PNG (dark is shadow) or text (# shadow, . lit; the first row is y = 0)")
+    verb->add_option("MASK", options->mask,
+                     "PNG (dark is shadow) or text (# shadow, . lit; the first row is y = 0)")
         ->required();
     verb->add_option("--technique", options->technique, "what to run")
         ->check(CLI::IsMember(visibility_techniques()))
@@ -172,9 +184,11 @@ void add_revectorize(CLI::App& app, Common& common) {
     verb->add_option("--scale", options->scale, "pixels per texel of the image")
         ->check(CLI::Range(1, 16384))
         ->capture_default_str();
-    verb->add_option("--samples", options->samples,
-                     "CSV with columns x,y (texel) and px,py (position in it); the output adds case,visibility");
-    verb->add_option("--out", options->out, "IMAGE.png, or the table for --samples (default: print); may be given twice")
+    verb->add_option(
+        "--samples", options->samples,
+        "CSV with columns x,y (texel) and px,py (position in it); the output adds case,visibility");
+    verb->add_option("--out", options->out,
+                     "IMAGE.png, or the table for --samples (default: print); may be given twice")
         ->expected(1, 2);
     verb->callback([options, &common] { run(*options, common); });
 }

@@ -129,8 +129,9 @@ VkCommandBuffer begin_commands(Context& context) {
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     for (VkCommandBuffer commands : both) check(vkBeginCommandBuffer(commands, &begin), "recording commands");
-    // The first timestamp is a submission of its own: llvmpipe takes a timestamp when it rasterises the scene that it was
-    // recorded in, and would take one in front of a draw or a dispatch too late, at that work's end.
+    // The first timestamp is a submission of its own: llvmpipe takes a timestamp when it rasterises the scene
+    // that it was recorded in, and would take one in front of a draw or a dispatch too late, at that work's
+    // end.
     vkCmdResetQueryPool(both[0], context.timestamps, 0, 2);
     vkCmdWriteTimestamp2(both[0], VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, context.timestamps, 0);
     check(vkEndCommandBuffer(both[0]), "recording commands");

@@ -20,6 +20,8 @@ namespace {
 constexpr const char* no_driver =
     "install one: apt-get install mesa-vulkan-drivers (lavapipe, runs on any CPU)";
 
+std::once_flag prepared;
+
 /// Mesa compiles a shader at its first dispatch and remembers the machine code: beside our own cache, so that
 /// one folder holds all of it and a cold start can be measured.
 void pin_mesa_cache() {
@@ -29,10 +31,23 @@ void pin_mesa_cache() {
     setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), 1);
 }
 
+void open_lavapipe_only() {
+    for (const char* chosen : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES"})
+        if (std::getenv(chosen)) return;
+    const std::filesystem::path folder =
+        "/usr/share/vulkan/icd.d"; // where Debian's mesa-vulkan-drivers puts it
+    std::error_code missing;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, missing))
+        if (entry.path().filename().string().starts_with("lvp_icd.")) {
+            setenv("VK_DRIVER_FILES", entry.path().c_str(), 1);
+            return;
+        }
+}
+
 void load_vulkan_once() {
     static std::once_flag once;
+    prepare_process(false);
     std::call_once(once, [] {
-        pin_mesa_cache();
         if (volkInitialize() != VK_SUCCESS)
             throw Error("no Vulkan loader (libvulkan.so.1) on this machine: apt-get install libvulkan1");
     });
@@ -102,6 +117,13 @@ std::string version_text(std::uint32_t version) {
 }
 
 } // namespace
+
+void prepare_process(bool default_device_only) {
+    std::call_once(prepared, [&] {
+        pin_mesa_cache();
+        if (default_device_only) open_lavapipe_only();
+    });
+}
 
 VkInstance instance(bool validation) {
     static std::mutex mutex;

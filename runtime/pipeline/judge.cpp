@@ -7,7 +7,8 @@ bool is_lit(float visibility) { return visibility >= 0.5f; } // NaN is not
 
 } // namespace
 
-PixelCounts count_pixels(const Surfaces& surfaces, std::span<const float> visibility, std::span<const float> truth) {
+PixelCounts count_pixels(const Surfaces& surfaces, std::span<const float> visibility,
+                         std::span<const float> truth) {
     PixelCounts counts;
     counts.all = surfaces.covered.size();
     for (std::size_t i = 0; i < counts.all; ++i) {
@@ -26,8 +27,8 @@ PixelCounts count_pixels(const Surfaces& surfaces, std::span<const float> visibi
     return counts;
 }
 
-Image false_colours(const Surfaces& surfaces, std::span<const float> visibility, std::span<const float> truth, int width,
-                    int height) {
+Image false_colours(const Surfaces& surfaces, std::span<const float> visibility, std::span<const float> truth,
+                    int width, int height) {
     constexpr Rgb background{255, 255, 255}, away{92, 104, 120}, lit{208, 208, 208}, shadow{72, 72, 72};
     constexpr Rgb wrong_lit{230, 30, 30}, wrong_shadowed{30, 90, 240};
     Image image(width, height, background);

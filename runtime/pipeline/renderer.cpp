@@ -18,7 +18,8 @@ class Stopwatch {
 public:
     void add(const std::string& step, double milliseconds) {
         const auto known = std::ranges::find(steps_, step, &Samples::name);
-        (known == steps_.end() ? steps_.emplace_back(Samples{step, {}}) : *known).milliseconds.push_back(milliseconds);
+        (known == steps_.end() ? steps_.emplace_back(Samples{step, {}}) : *known)
+            .milliseconds.push_back(milliseconds);
     }
 
     /// Medians without each step's first time, which holds compilation.
@@ -29,7 +30,8 @@ public:
                                       step.milliseconds.end());
             std::ranges::sort(times);
             const std::size_t n = times.size();
-            result.push_back({step.name, n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2])});
+            result.push_back(
+                {step.name, n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2])});
         }
         return result;
     }
@@ -68,11 +70,13 @@ struct Renderer::Impl {
 
     Impl(gpu::Device& on, glsl::Sources from, const Scene& of, const Camera& camera, const Light& light,
          const ViewSettings& settings)
-        : device(on), sources(std::move(from)), scene(of), frame(make_frame(camera, light, settings, of.bounds())),
+        : device(on), sources(std::move(from)), scene(of),
+          frame(make_frame(camera, light, settings, of.bounds())),
           vertices(static_cast<std::uint32_t>(3 * of.triangles.size())) {
         constexpr std::size_t most = (std::size_t{1} << 24) - 1;
         if (scene.triangles.size() > most)
-            throw Error("{}: {} triangles; the G-buffer counts to {}", scene.name, scene.triangles.size(), most);
+            throw Error("{}: {} triangles; the G-buffer counts to {}", scene.name, scene.triangles.size(),
+                        most);
         frame_buffer = device.upload(std::span<const shared::Frame>(&frame, 1));
         positions = device.upload(scene.positions);
         normals = device.upload(scene.normals);
@@ -84,12 +88,14 @@ struct Renderer::Impl {
         depth = device.target(width, height, gpu::Format::depth32_float);
         shadow_depth = device.target(side, side, gpu::Format::depth32_float);
         gbuffer = device.raster(stage("gbuffer.vert"), stage("gbuffer.frag"),
-                                {{gpu::Format::rgba32_float, gpu::Format::rgba32_float}, false}, "pipeline/gbuffer");
-        // A directional light's depth is linear by itself. Its near plane holds everything: clamping only mends rounding.
+                                {{gpu::Format::rgba32_float, gpu::Format::rgba32_float}, false},
+                                "pipeline/gbuffer");
+        // A directional light's depth is linear by itself. Its near plane holds everything: clamping only
+        // mends rounding.
         const bool perspective = frame.light_origin.w == 1.0f;
-        shadow_map = device.raster(stage("shadow_map.vert"),
-                                   perspective ? stage("shadow_map.frag") : glsl::Spirv{}, {{}, !perspective},
-                                   "pipeline/shadow_map");
+        shadow_map =
+            device.raster(stage("shadow_map.vert"), perspective ? stage("shadow_map.frag") : glsl::Spirv{},
+                          {{}, !perspective}, "pipeline/shadow_map");
         receivers_kernel = device.kernel(stage("receivers.comp"), "pipeline/receivers");
         shade_kernel = device.kernel(stage("shade.comp"), "pipeline/shade");
         const std::size_t pixels = std::size_t{width} * height;
@@ -113,10 +119,10 @@ struct Renderer::Impl {
         const auto found = visibility_kernels.find(technique);
         if (found != visibility_kernels.end()) return found->second;
         glsl::Sources with = sources;
-        with.generated["technique"] =
-            fmt::format("#include \"{0}/visibility.glsl\"\nfloat technique_visibility(ivec2 texel, vec2 p) {{\n    return "
-                        "{0}_visibility(texel, p);\n}}\n",
-                        technique);
+        with.generated["technique"] = fmt::format("#include \"{0}/visibility.glsl\"\nfloat "
+                                                  "technique_visibility(ivec2 texel, vec2 p) {{\n    return "
+                                                  "{0}_visibility(texel, p);\n}}\n",
+                                                  technique);
         return visibility_kernels.emplace(technique, device.kernel(stage("visibility.comp", with), technique))
             .first->second;
     }
@@ -127,9 +133,10 @@ struct Renderer::Impl {
         watch.add("g-buffer", drawn * 1e-6);
         world_texels = device.texels(world);
         normal_texels = device.texels(shading_normal);
-        watch.add("receivers", 1e-6 * device.run(receivers_kernel,
-                                                 {&frame_buffer, &positions, &triangles, &world_texels, &receivers},
-                                                 per_pixel()));
+        watch.add("receivers",
+                  1e-6 * device.run(receivers_kernel,
+                                    {&frame_buffer, &positions, &triangles, &world_texels, &receivers},
+                                    per_pixel()));
     }
 
     void draw_shadow_map(Stopwatch& watch) {
@@ -163,8 +170,9 @@ struct Renderer::Impl {
         const auto start = Clock::now();
         const glm::vec3 light(frame.light_origin);
         const std::vector<std::uint8_t> visible =
-            frame.light_origin.w == 1.0f ? tracer->visible_from(origins, host_surfaces.facing, light, frame.range.w)
-                                         : tracer->visible_along(origins, host_surfaces.facing, light, frame.range.w);
+            frame.light_origin.w == 1.0f
+                ? tracer->visible_from(origins, host_surfaces.facing, light, frame.range.w)
+                : tracer->visible_along(origins, host_surfaces.facing, light, frame.range.w);
         watch.add("trace", milliseconds_since(start));
         std::vector<float> result(visible.size());
         for (std::size_t i = 0; i < visible.size(); ++i)
@@ -176,8 +184,9 @@ struct Renderer::Impl {
         switch (technique.kind) {
         case Technique::Kind::kernel: {
             draw_shadow_map(watch);
-            const double run = device.run(visibility_kernel(technique.name),
-                                          {&frame_buffer, &receivers, &depth_texels, &visibility}, per_pixel());
+            const double run =
+                device.run(visibility_kernel(technique.name),
+                           {&frame_buffer, &receivers, &depth_texels, &visibility}, per_pixel());
             watch.add("visibility", run * 1e-6);
             return;
         }
@@ -186,7 +195,8 @@ struct Renderer::Impl {
             device.write(visibility, std::as_bytes(std::span(traced)));
             return;
         }
-        case Technique::Kind::none: break;
+        case Technique::Kind::none:
+            break;
         }
         read_receivers();
         const std::vector<float> facing(host_surfaces.facing.begin(), host_surfaces.facing.end());
@@ -196,8 +206,9 @@ struct Renderer::Impl {
     Image read_image() {
         const std::vector<glm::vec4> linear = device.read<glm::vec4>(colours);
         Image image(static_cast<int>(frame.size.x), static_cast<int>(frame.size.y));
-        std::ranges::transform(linear, image.pixels.begin(),
-                               [](glm::vec4 c) { return Rgb{srgb(c.r), srgb(c.g), srgb(c.b)}; });
+        std::ranges::transform(linear, image.pixels.begin(), [](glm::vec4 c) {
+            return Rgb{srgb(c.r), srgb(c.g), srgb(c.b)};
+        });
         return image;
     }
 };
@@ -213,10 +224,10 @@ Rendering Renderer::render(const Technique& technique, int frames) {
     for (int i = 0; i < std::max(frames, 1) + 1; ++i) {
         r.draw_gbuffer(watch);
         r.find_visibility(technique, watch);
-        const double shaded = r.device.run(r.shade_kernel,
-                                           {&r.frame_buffer, &r.receivers, &r.world_texels, &r.normal_texels,
-                                            &r.visibility, &r.colours},
-                                           r.per_pixel());
+        const double shaded = r.device.run(
+            r.shade_kernel,
+            {&r.frame_buffer, &r.receivers, &r.world_texels, &r.normal_texels, &r.visibility, &r.colours},
+            r.per_pixel());
         watch.add("shade", shaded * 1e-6);
     }
     return {r.device.read<float>(r.visibility), r.read_image(), watch.medians()};
@@ -247,7 +258,8 @@ std::vector<Capture> Renderer::capture(const std::vector<std::uint32_t>& pixels)
         Capture capture;
         std::memcpy(&capture.texel, record, sizeof capture.texel);
         std::memcpy(&capture.p, record + 2, sizeof capture.p);
-        for (std::size_t n = 0; n < side * side; ++n) capture.lit.push_back((record[4 + n / 32] >> (n % 32)) & 1u);
+        for (std::size_t n = 0; n < side * side; ++n)
+            capture.lit.push_back((record[4 + n / 32] >> (n % 32)) & 1u);
         result.push_back(std::move(capture));
     }
     return result;

@@ -1,5 +1,5 @@
-// A frame, step by step: G-buffer, receivers, shadow map, a technique's visibility, shading; and the ray-traced truth.
-// Everything but visibility is the same for every technique.
+// A frame, step by step: G-buffer, receivers, shadow map, a technique's visibility, shading; and the
+// ray-traced truth. Everything but visibility is the same for every technique.
 #pragma once
 
 #include "runtime/glsl/compiler.h"
@@ -52,10 +52,10 @@ struct Capture {
 
 class Renderer {
 public:
-    /// Uploads the scene and compiles the stages that all techniques share. `device` and `scene` must outlive it.
-    /// Throws Error (see require_valid; too many triangles for a float to count: 2^24).
-    Renderer(gpu::Device& device, glsl::Sources sources, const Scene& scene, const Camera& camera, const Light& light,
-             const ViewSettings& settings);
+    /// Uploads the scene and compiles the stages that all techniques share. `device` and `scene` must outlive
+    /// it. Throws Error (see require_valid; too many triangles for a float to count: 2^24).
+    Renderer(gpu::Device& device, glsl::Sources sources, const Scene& scene, const Camera& camera,
+             const Light& light, const ViewSettings& settings);
     ~Renderer();
 
     /// Renders `frames` + 1 times (at least 2) and keeps the medians of the last `frames`.

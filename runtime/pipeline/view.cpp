@@ -12,8 +12,8 @@ namespace {
 
 using glm::mat4, glm::vec3, glm::vec4;
 
-/// Relative to the depth range: the map's depth is interpolated in float32, with errors of a few 2^-23 of the range, and the
-/// receiver's plane is as exact. A thousandth of a texel's depth would be lost in neither.
+/// Relative to the depth range: the map's depth is interpolated in float32, with errors of a few 2^-23 of the
+/// range, and the receiver's plane is as exact. A thousandth of a texel's depth would be lost in neither.
 constexpr float bias_of_range = 2e-5f;
 /// Of the scene's diagonal: how far a shadow ray starts above its surface. Positions carry about 2^-22 of it.
 constexpr float lift_of_diagonal = 1e-5f;
@@ -23,8 +23,8 @@ bool finite(vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::is
 void require_direction(vec3 direction, const char* option) {
     const float length = glm::length(direction);
     if (!finite(direction) || !(length > 0) || !std::isfinite(length))
-        throw Error("{} is {},{},{}; a direction must be finite and not zero", option, direction.x, direction.y,
-                    direction.z);
+        throw Error("{} is {},{},{}; a direction must be finite and not zero", option, direction.x,
+                    direction.y, direction.z);
 }
 
 void require_position(vec3 position, const char* option) {
@@ -46,7 +46,8 @@ Axes axes_along(vec3 direction) {
 std::array<vec3, 8> corners(const Box& box) {
     std::array<vec3, 8> result{};
     for (int i = 0; i < 8; ++i)
-        result[static_cast<std::size_t>(i)] = {(i & 1) ? box.upper.x : box.lower.x, (i & 2) ? box.upper.y : box.lower.y,
+        result[static_cast<std::size_t>(i)] = {(i & 1) ? box.upper.x : box.lower.x,
+                                               (i & 2) ? box.upper.y : box.lower.y,
                                                (i & 4) ? box.upper.z : box.lower.z};
     return result;
 }
@@ -66,7 +67,8 @@ std::array<vec3, 8> frustum_corners(const Camera& camera, float aspect) {
 }
 
 /// The box around points in the coordinates of `axes`: x right, y up, z forward.
-template <std::size_t N> Box box_along(const Axes& axes, const std::array<vec3, N>& points) {
+template <std::size_t N>
+Box box_along(const Axes& axes, const std::array<vec3, N>& points) {
     Box box;
     for (const vec3 p : points)
         box.include({glm::dot(axes.right, p), glm::dot(axes.up, p), glm::dot(axes.forward, p)});
@@ -80,8 +82,8 @@ mat4 perspective(vec3 position, const Axes& axes, float fov, float aspect, float
     return projection * glm::lookAtRH(position, position + axes.forward, axes.up);
 }
 
-void light_directional(shared::Frame& frame, const Light& light, const Camera& camera, const ViewSettings& settings,
-                       const Box& box) {
+void light_directional(shared::Frame& frame, const Light& light, const Camera& camera,
+                       const ViewSettings& settings, const Box& box) {
     const Axes axes = axes_along(light.direction);
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     const Box scene = box_along(axes, corners(box));
@@ -102,7 +104,9 @@ void light_directional(shared::Frame& frame, const Light& light, const Camera& c
     const vec3 extent = upper - lower;
     const float side = static_cast<float>(settings.shadow_map);
 
-    const auto row = [](vec3 direction, float scale, float offset) { return vec4(direction * scale, offset); };
+    const auto row = [](vec3 direction, float scale, float offset) {
+        return vec4(direction * scale, offset);
+    };
     const vec4 x = row(axes.right, 2 / extent.x, -2 * lower.x / extent.x - 1);
     const vec4 y = row(-axes.up, 2 / extent.y, 2 * upper.y / extent.y - 1);
     frame.light_depth = row(axes.forward, 1 / extent.z, -lower.z / extent.z);
@@ -115,12 +119,14 @@ void light_directional(shared::Frame& frame, const Light& light, const Camera& c
     frame.range.y = upper.z;
 }
 
-void light_perspective(shared::Frame& frame, const Light& light, const ViewSettings& settings, const Box& box) {
+void light_perspective(shared::Frame& frame, const Light& light, const ViewSettings& settings,
+                       const Box& box) {
     const Axes axes = axes_along(light.direction);
     const vec3 position = *light.position;
     float far = 0;
     for (const vec3 corner : corners(box)) far = std::max(far, glm::dot(axes.forward, corner - position));
-    if (!(far > 0)) throw Error("--light-direction: the light at --light-position looks away from the whole scene");
+    if (!(far > 0))
+        throw Error("--light-direction: the light at --light-position looks away from the whole scene");
     far *= 1.001f;
     const float near = 1e-3f * far, range = far - near;
     const float texel = 2 * std::tan(glm::radians(light.fov) / 2) / static_cast<float>(settings.shadow_map);
@@ -148,7 +154,8 @@ void require_valid(const Camera& camera, const Light& light, const ViewSettings&
     require_direction(light.direction, "--light-direction");
     if (light.position) require_position(*light.position, "--light-position");
     const auto require_fov = [](float fov, const char* option) {
-        if (!(fov > 0.01f && fov < 179.9f)) throw Error("{} is {}; 0.01 to 179.9 degrees are possible", option, fov);
+        if (!(fov > 0.01f && fov < 179.9f))
+            throw Error("{} is {}; 0.01 to 179.9 degrees are possible", option, fov);
     };
     require_fov(camera.fov, "--fov");
     require_fov(light.fov, "--light-fov");
@@ -169,14 +176,18 @@ Camera default_camera(const Box& box) {
     return camera;
 }
 
-shared::Frame make_frame(const Camera& camera, const Light& light, const ViewSettings& settings, const Box& box) {
+shared::Frame make_frame(const Camera& camera, const Light& light, const ViewSettings& settings,
+                         const Box& box) {
     require_valid(camera, light, settings);
     shared::Frame frame{};
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-    frame.camera = perspective(camera.position, axes_along(camera.direction), camera.fov, aspect, camera.near, camera.far);
+    frame.camera = perspective(camera.position, axes_along(camera.direction), camera.fov, aspect, camera.near,
+                               camera.far);
     frame.eye = vec4(camera.position, 0);
-    if (light.position) light_perspective(frame, light, settings, box);
-    else light_directional(frame, light, camera, settings, box);
+    if (light.position)
+        light_perspective(frame, light, settings, box);
+    else
+        light_directional(frame, light, camera, settings, box);
     const float range = frame.range.y - frame.range.x;
     frame.range.z = settings.bias > 0 ? settings.bias / range : bias_of_range;
     frame.range.w = lift_of_diagonal * box.diagonal();

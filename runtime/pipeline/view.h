@@ -20,9 +20,9 @@ struct Camera {
 
 /// Directional unless it has a position.
 struct Light {
-    glm::vec3 direction{0.5f, -0.7f, 0.3f};  ///< the way light travels; need not be unit
-    std::optional<glm::vec3> position{};     ///< of a perspective light, which looks along `direction`
-    float fov = 90;                          ///< degrees, of a perspective light, in x and y
+    glm::vec3 direction{0.5f, -0.7f, 0.3f}; ///< the way light travels; need not be unit
+    std::optional<glm::vec3> position{};    ///< of a perspective light, which looks along `direction`
+    float fov = 90;                         ///< degrees, of a perspective light, in x and y
 };
 
 struct ViewSettings {
@@ -32,16 +32,19 @@ struct ViewSettings {
     bool receiver_plane = true; ///< else the receiver's depth is taken as constant across texels
 };
 
-/// Throws Error naming the option: a direction that is zero or not finite, near or far out of order, a field of view outside
-/// (0, 180), a size or shadow map outside 1 … 16384, a scene seen from inside out (near beyond far).
+/// Throws Error naming the option: a direction that is zero or not finite, near or far out of order, a field
+/// of view outside (0, 180), a size or shadow map outside 1 … 16384, a scene seen from inside out (near
+/// beyond far).
 void require_valid(const Camera& camera, const Light& light, const ViewSettings& settings);
 
 /// A camera that sees the whole box from above a corner, and distances that suit it.
 Camera default_camera(const Box& box);
 
-/// What the stages need. A directional light's map covers, across the light, the part of the scene's box that the camera's
-/// frustum can see, and along it the whole box: everything that casts. A perspective light's reaches from `near` = 1/1000 of
-/// the farthest corner to that corner. Throws Error if a perspective light sees nothing of the box.
-shared::Frame make_frame(const Camera& camera, const Light& light, const ViewSettings& settings, const Box& box);
+/// What the stages need. A directional light's map covers, across the light, the part of the scene's box that
+/// the camera's frustum can see, and along it the whole box: everything that casts. A perspective light's
+/// reaches from `near` = 1/1000 of the farthest corner to that corner. Throws Error if a perspective light
+/// sees nothing of the box.
+shared::Frame make_frame(const Camera& camera, const Light& light, const ViewSettings& settings,
+                         const Box& box);
 
 } // namespace gnomon
