@@ -41,8 +41,8 @@ Prepared prepare(const Case& c, const CheckOptions& options, const glsl::Sources
                  const std::shared_ptr<const EdgePool>& pool, std::uint64_t seed) {
     Sampler sampler(c, seed, pool, options.pins.empty() ? options.pins : options.pins / (c.name + ".csv"));
     const std::size_t samples = std::max(options.samples, sampler.fixed_count());
-    glsl::Spirv words = compile_standalone(c, sources);
     Records first = draw_records(c, sampler, 0, std::min(samples, samples_per_dispatch));
+    glsl::Spirv words = compile_standalone(c, sources); // last: glslang may still be building its tables
     return {std::move(sampler), std::move(words), samples, std::move(first)};
 }
 
@@ -142,12 +142,13 @@ CheckReport check_one(const Case& c, const CheckOptions& options, const glsl::So
     return report;
 }
 
-/// How much there is to compile; 0 for what does not even expand, which compiling will explain.
-std::size_t source_length(const Case& c, const glsl::Sources& sources) {
+/// The whole text that a kernel compiles from; empty for what does not even expand, which compiling will
+/// explain.
+std::string whole_source(const Case& c, const glsl::Sources& sources) {
     try {
-        return glsl::expand(sources, standalone_source(c), c.name).size();
+        return glsl::expand(sources, standalone_source(c), standalone_name);
     } catch (const Error&) {
-        return 0;
+        return {};
     }
 }
 
@@ -184,11 +185,18 @@ std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOp
     std::mutex mutex;
     std::exception_ptr failure;
 
+    std::vector<std::string> texts;
+    for (const Case* c : cases) texts.push_back(whole_source(*c, sources));
     // Long kernels first, so that no worker is left alone with one at the end.
     std::vector<std::size_t> order(cases.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::greater{},
-                             [&](std::size_t i) { return source_length(*cases[i], sources); });
+    std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return texts[i].size(); });
+    // If anything must be compiled, glslang builds its tables while Vulkan starts and samples are drawn.
+    std::future<void> tables;
+    if (std::ranges::any_of(texts, [](const std::string& text) {
+            return glsl::find_cached(text, glsl::Stage::compute).empty();
+        }))
+        tables = std::async(std::launch::async, glsl::warm_up);
 
     // Masks are the same for every kernel: one corpus, drawn from the seed that was given or from a fixed
     // one.

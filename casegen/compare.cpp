@@ -32,10 +32,8 @@ double error_of(const Tolerance& tolerance, double got, double want, Scalar scal
 /// are moved by -d, 0 or +d; infinity if it does so nowhere.
 double input_distance(const Case& c, const Arguments& arguments, const Numbers& got, double farthest) {
     std::vector<std::size_t> moved;
-    std::size_t word = 0;
-    for (const Type& type : c.reference.parameters)
-        for (int k = 0; k < type.components; ++k, ++word)
-            if (type.scalar == Scalar::float32) moved.push_back(word);
+    for (std::size_t i = 0; i < c.reference.words.size(); ++i)
+        if (c.reference.words[i] == Scalar::float32) moved.push_back(i);
     std::size_t combinations = 1;
     for (std::size_t i = 0; i < moved.size(); ++i) combinations *= 3;
     for (const double fraction : {0.125, 0.25, 0.5, 1.0}) {

@@ -134,9 +134,7 @@ std::vector<CsvInput> read_inputs(const Case& c, const Csv& csv) {
     const std::size_t fixed = c.reference.takes_mask ? 2 : 0;
     std::vector<std::size_t> number_columns;
     for (std::size_t i = fixed; i < names.size(); ++i) number_columns.push_back(csv.column(names[i]));
-    std::vector<Scalar> scalars;
-    for (const Type& type : c.reference.parameters)
-        scalars.insert(scalars.end(), static_cast<std::size_t>(type.components), type.scalar);
+    const std::vector<Scalar>& scalars = c.reference.words;
     const bool has_outside = std::ranges::find(csv.header, "outside") != csv.header.end();
 
     std::vector<CsvInput> inputs;

@@ -88,12 +88,6 @@ std::string function_name(const Case& c) {
     return name;
 }
 
-std::size_t word_count(const Case& c) {
-    std::size_t words = 0;
-    for (const Type& type : c.reference.parameters) words += static_cast<std::size_t>(type.components);
-    return words;
-}
-
 std::vector<std::string> columns(const Case& c) {
     std::vector<std::string> names;
     if (c.reference.takes_mask) names = {"mask", "outside"};
@@ -124,16 +118,6 @@ bool in_domain(const Case& c, const Arguments& arguments) {
         }
     }
     return !c.where || c.where(arguments);
-}
-
-Arguments arguments(const Case& c, std::span<const std::uint32_t> words, const Mask* mask) {
-    Arguments result;
-    result.mask = mask;
-    std::size_t word = 0;
-    for (const Type& type : c.reference.parameters)
-        for (int k = 0; k < type.components; ++k, ++word)
-            result.numbers[word] = widen(type.scalar, words[word]);
-    return result;
 }
 
 } // namespace gnomon

@@ -70,7 +70,7 @@ std::string to_string(const Tolerance& tolerance);
 /// What a reference is called with: every component of every parameter, widened to double, and the mask if it
 /// takes one.
 struct Arguments {
-    std::array<double, 16> numbers{};
+    std::array<double, 16> numbers; ///< as many as the reference has words; the rest is not set
     const Mask* mask = nullptr;
 };
 using Numbers = std::array<double, 4>; ///< a result's components
@@ -79,6 +79,7 @@ using Numbers = std::array<double, 4>; ///< a result's components
 struct Reference {
     Type result;
     std::vector<Type> parameters; ///< without the mask
+    std::vector<Scalar> words;    ///< of all their components, in order: what a record holds
     bool takes_mask = false;
     std::function<Numbers(const Arguments&)> call;
 
@@ -121,8 +122,8 @@ struct Case {
 /// "smsr_case_09".
 std::string function_name(const Case& c);
 
-/// Components of all parameters: the words of a record without the mask's.
-std::size_t word_count(const Case& c);
+/// The words of a record without the mask's.
+inline std::size_t word_count(const Case& c) { return c.reference.words.size(); }
 
 /// Column names of a CSV file: `mask`, `outside` if the kernel takes a mask, then `along_x`, `p_x`, `p_y`, …
 std::vector<std::string> columns(const Case& c);
@@ -156,7 +157,13 @@ inline std::uint32_t narrow(Scalar scalar, double number) {
     }
     return static_cast<std::uint32_t>(number);
 }
-Arguments arguments(const Case& c, std::span<const std::uint32_t> words, const Mask* mask);
+inline Arguments arguments(const Case& c, std::span<const std::uint32_t> words, const Mask* mask) {
+    Arguments result; // not zeroed: this is the inner loop of every check
+    result.mask = mask;
+    for (std::size_t i = 0; i < c.reference.words.size(); ++i)
+        result.numbers[i] = widen(c.reference.words[i], words[i]);
+    return result;
+}
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -237,6 +244,8 @@ void make(Reference& reference, R (*function)(const Mask&, A...)) {
 template <typename Function>
 Reference::Reference(Function function) {
     detail::make(*this, +function);
+    for (const Type& type : parameters)
+        words.insert(words.end(), static_cast<std::size_t>(type.components), type.scalar);
 }
 
 } // namespace gnomon

@@ -78,11 +78,14 @@ EdgePool make_edge_pool(std::uint64_t seed) {
     EdgePool pool;
     for (NamedMask& named : mask_corpus(seed, members_per_family, mask_size)) {
         const Mask& mask = named.mask;
-        const auto index = static_cast<std::uint32_t>(pool.masks.size());
+        const auto index = static_cast<std::uint16_t>(pool.masks.size());
         for (int y = 0; y < mask.height; ++y)
             for (int x = 0; x < mask.width; ++x)
-                if (reference::discontinuity(mask, {x, y}) != glm::uvec2(0))
-                    pool.entries.push_back({index, {x, y}, reference::edge(mask, {x, y})});
+                if (reference::discontinuity(mask, {x, y}) != glm::uvec2(0)) {
+                    const reference::Edge edge = reference::edge(mask, {x, y});
+                    pool.entries.push_back({index, glm::i8vec2(x, y), glm::u8vec2(edge.sides),
+                                            glm::i8vec4(edge.reach), glm::i8vec2(edge.type), edge.dominant});
+                }
         pool.masks.push_back(std::move(named.mask));
     }
     return pool;
@@ -101,7 +104,7 @@ Sampler::Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePo
     for (std::uint32_t i = 0; i < pool_->entries.size(); ++i) {
         const EdgePool::Entry& entry = pool_->entries[i];
         if (case_.applies &&
-            !(pool_->masks[entry.mask].lit(entry.texel.x, entry.texel.y) && case_.applies(entry.edge)))
+            !(pool_->masks[entry.mask].lit(entry.texel.x, entry.texel.y) && case_.applies(entry.edge())))
             continue;
         chosen_.push_back(i);
     }
@@ -211,10 +214,10 @@ std::uint32_t Sampler::draw_from_mask(Random& random, std::span<std::uint32_t> w
     const EdgePool::Entry& entry =
         pool_->entries[chosen_[random.below(static_cast<std::uint32_t>(chosen_.size()))]];
     Facts facts;
-    facts.texel = entry.texel;
+    facts.texel = glm::ivec2(entry.texel);
     facts.p.x = draw_float(random, 0, 1);
     facts.p.y = draw_float(random, 0, 1);
-    facts.edge = entry.edge;
+    facts.edge = entry.edge();
     facts.along_y = random.chance(0.5);
     for (const Slot& slot : slots_) {
         Numbers numbers{};

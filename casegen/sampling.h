@@ -16,10 +16,16 @@ namespace gnomon {
 
 /// Edge texels of a corpus of masks, with what surrounds them: where inputs "from masks" come from.
 struct EdgePool {
-    struct Entry {
-        std::uint32_t mask;
-        glm::ivec2 texel;
-        reference::Edge edge;
+    struct Entry { // small: a check reads them at random
+        std::uint16_t mask;
+        glm::i8vec2 texel;
+        glm::u8vec2 sides;
+        glm::i8vec4 reach;
+        glm::i8vec2 type;
+        glm::bvec2 dominant;
+        reference::Edge edge() const {
+            return {glm::uvec2(sides), glm::ivec4(reach), glm::ivec2(type), dominant};
+        }
     };
     std::vector<Mask> masks;
     std::vector<Entry> entries; ///< lit and shadowed texels with at least one side that differs

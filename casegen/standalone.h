@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace gnomon {
@@ -19,6 +20,9 @@ glsl::Sources kernel_sources(const std::filesystem::path& kernels);
 
 /// The compute shader around `c`: includes its file, reads a record, writes the result's words.
 std::string standalone_source(const Case& c);
+
+/// What stands for that text in messages, and with it in the cache's key.
+inline constexpr const char* standalone_name = "<main>";
 
 /// standalone_source, compiled. Throws CompileError: on the author's line, or, if what fails is the generated
 /// call, a message that shows the signature which the table declares.
@@ -59,9 +63,8 @@ private:
     bool takes_mask_;
     std::size_t word_count_, stride_;
     std::vector<std::uint32_t> words_, mask_words_;
-    std::vector<const Mask*> mask_of_; ///< per record; null if the kernel takes none
-    std::vector<std::pair<const Mask*, std::uint32_t>>
-        packed_; ///< first word of each mask, in order of packing
+    std::vector<const Mask*> mask_of_;                      ///< per record; null if the kernel takes none
+    std::unordered_map<const Mask*, std::uint32_t> packed_; ///< the first word of each mask
 };
 
 struct Outputs {
@@ -72,8 +75,8 @@ struct Outputs {
     double nanoseconds = 0;              ///< of the second run: the first one compiles
 };
 
-/// Runs the kernel twice over the records, on poisoned memory with guards on either side. Throws
-/// KernelTimeout.
+/// Runs the kernel over the first eighth of the records (the hostile ones among them), then over all, each
+/// time on poisoned memory with guards on either side. Throws KernelTimeout.
 Outputs run_standalone(gpu::Device& device, gpu::Kernel& kernel, const Case& c, const Records& records);
 
 /// All in one: compiles, uploads, runs, reads. For tests and `eval`.

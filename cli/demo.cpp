@@ -33,8 +33,29 @@ int check_all(const Common& common, nlohmann::ordered_json& report) {
     return 0;
 }
 
-/// The camera looks along the fence, so that its shadow runs across the ground towards the viewer.
-Camera demo_camera(const Scene& scene) { return default_camera(scene.bounds()); }
+/// Against the light, so that the shadows of fence and lattice fall towards the viewer.
+Camera demo_camera(const Scene& scene) {
+    Camera camera = default_camera(scene.bounds());
+    camera.position = {2.4f, 2.2f, 7.4f};
+    camera.direction = {-0.30f, -0.36f, -0.9f};
+    camera.fov = 40;
+    return camera;
+}
+constexpr glm::vec3 demo_light{0.45f, -0.62f, 0.5f};
+
+/// The same part of every picture, beside one another on white: where shadow edges of all slopes can be
+/// compared.
+Image side_by_side(const std::vector<Judged>& all) {
+    constexpr int x0 = 250, y0 = 340, width = 480, height = 330, gap = 6;
+    const int count = static_cast<int>(all.size());
+    Image strip(count * width + (count - 1) * gap, height, {255, 255, 255});
+    for (int i = 0; i < count; ++i)
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                strip.at(i * (width + gap) + x, y) =
+                    all[static_cast<std::size_t>(i)].rendering.image.at(x0 + x, y0 + y);
+    return strip;
+}
 
 int run(const std::filesystem::path& folder, const Common& common) {
     std::error_code error;
@@ -48,7 +69,7 @@ int run(const std::filesystem::path& folder, const Common& common) {
 
     const Scene scene = demo_scene();
     const Camera camera = demo_camera(scene);
-    const Light light;
+    const Light light{.direction = demo_light};
     const ViewSettings settings;
     gpu::Device device(common.device);
     Renderer renderer(device, kernel_sources(common.kernels), scene, camera, light, settings);
@@ -71,6 +92,7 @@ int run(const std::filesystem::path& folder, const Common& common) {
         }
     }
     require_no_validation_messages();
+    write_png(folder / "side_by_side.png", side_by_side(all));
     report["device"] = device.info().name;
     report["scene"] = scene.name;
     report["triangles"] = scene.triangles.size();

@@ -10,7 +10,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
+#include <optional>
 
 namespace gnomon::cli {
 namespace {
@@ -18,10 +20,35 @@ namespace {
 struct Options {
     std::string scene, technique = "smsr", receiver = "plane";
     std::string camera_position, camera_direction, light_direction, light_position, size = "1024x768";
-    float fov = 0, near = 0, far = 0, light_fov = 90, bias = 0;
+    std::optional<float> fov, near, far;
+    float light_fov = 90, bias = 0;
     int shadow_map = 1024, frames = 5;
     std::filesystem::path report, image, errors;
 };
+
+/// From a position to the scene's centre. Throws Error if that is where the position is.
+glm::vec3 towards_centre(const Scene& scene, glm::vec3 position, const char* what) {
+    const glm::vec3 direction = scene.bounds().centre() - position;
+    if (direction == glm::vec3(0))
+        throw Error("--{0}-position is the scene's centre; say where it looks with --{0}-direction", what);
+    return direction;
+}
+
+/// Throws Error before minutes of work if one of the outputs cannot be written, or would replace another.
+void require_outputs(const Options& options) {
+    const std::array outputs{std::pair{"--report", &options.report}, std::pair{"--image", &options.image},
+                             std::pair{"--errors", &options.errors}};
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const auto& [name, path] = outputs[i];
+        if (path->empty()) continue;
+        require_writable(*path);
+        for (std::size_t k = 0; k < i; ++k)
+            if (std::filesystem::weakly_canonical(*path) ==
+                std::filesystem::weakly_canonical(*outputs[k].second))
+                throw Error("{} and {} both name '{}'; each needs a file of its own", outputs[k].first, name,
+                            path->string());
+    }
+}
 
 void run(const Options& options, const Common& common) {
     const Scene scene = options.scene.empty() ? demo_scene() : load_scene(options.scene);
@@ -34,15 +61,16 @@ void run(const Options& options, const Common& common) {
     if (!options.camera_direction.empty())
         camera.direction = parse_vector(options.camera_direction, "--camera-direction");
     else if (!options.camera_position.empty())
-        camera.direction = scene.bounds().centre() - camera.position;
-    if (options.fov != 0) camera.fov = options.fov;
-    if (options.near != 0) camera.near = options.near;
-    if (options.far != 0) camera.far = options.far;
+        camera.direction = towards_centre(scene, camera.position, "camera");
+    camera.fov = options.fov.value_or(camera.fov);
+    camera.near = options.near.value_or(camera.near);
+    camera.far = options.far.value_or(camera.far);
     Light light;
     light.fov = options.light_fov;
     if (!options.light_position.empty()) {
         light.position = parse_vector(options.light_position, "--light-position");
-        light.direction = scene.bounds().centre() - *light.position;
+        if (options.light_direction.empty())
+            light.direction = towards_centre(scene, *light.position, "light");
     }
     if (!options.light_direction.empty())
         light.direction = parse_vector(options.light_direction, "--light-direction");
@@ -52,8 +80,7 @@ void run(const Options& options, const Common& common) {
     settings.bias = options.bias;
     settings.receiver_plane = options.receiver == "plane";
     require_valid(camera, light, settings);
-    for (const std::filesystem::path& path : {options.report, options.image, options.errors})
-        if (!path.empty()) require_writable(path);
+    require_outputs(options);
 
     Progress progress("rendering");
     gpu::Device device(common.device);
@@ -83,6 +110,7 @@ void run(const Options& options, const Common& common) {
     if (!options.report.empty()) write_file(options.report, report.dump(2) + "\n");
     fmt::print("{}", judged_table({judged}));
     const PixelCounts& c = judged.counts;
+    if (c.covered == 0) fmt::print(stderr, "gnomon: the camera sees nothing of the scene\n");
     fmt::print("{} pixels see a surface: {} face the light ({} lit, {} shadowed by truth), {} face away\n",
                c.covered, c.facing, c.truly_lit, c.truly_shadowed, c.facing_away);
     for (const Step& step : judged.rendering.steps)
@@ -107,9 +135,12 @@ void add_render(CLI::App& app, Common& common) {
     verb->add_option("--far", options->far, "farthest distance seen (default: from the scene's size)");
     verb->add_option("--light-direction", options->light_direction,
                      "X,Y,Z: the way light travels (default: 0.5,-0.7,0.3)");
-    verb->add_option("--light-position", options->light_position,
-                     "X,Y,Z of a perspective light (default: directional)");
-    verb->add_option("--light-fov", options->light_fov, "its field of view in degrees")
+    CLI::Option* light_position = verb->add_option(
+        "--light-position", options->light_position,
+        "X,Y,Z of a perspective light, which looks along --light-direction (default: towards the "
+        "scene's centre); without it the light is directional");
+    verb->add_option("--light-fov", options->light_fov, "a perspective light's field of view in degrees")
+        ->needs(light_position)
         ->capture_default_str();
     verb->add_option("--size", options->size, "WIDTHxHEIGHT of the image in pixels")->capture_default_str();
     verb->add_option("--shadow-map", options->shadow_map, "texels on a side of the shadow map")

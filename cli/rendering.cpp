@@ -80,6 +80,7 @@ nlohmann::ordered_json view_json(const Camera& camera, const Light& light, const
                                   {"far", camera.far}}},
                                 {"light", {{"direction", vector_json(light.direction)}}},
                                 {"receiver", settings.receiver_plane ? "plane" : "depth"}};
+    if (settings.bias > 0) json["bias"] = settings.bias;
     if (light.position) {
         json["light"]["position"] = vector_json(*light.position);
         json["light"]["fov_degrees"] = light.fov;

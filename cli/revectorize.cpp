@@ -83,11 +83,10 @@ private:
     gpu::Kernel visibility_kernel_;
 };
 
-void write_image(Technique& technique, const Mask& mask, int scale, const std::filesystem::path& path) {
+Image image_of(Technique& technique, const Mask& mask, int scale) {
     const std::int64_t width = std::int64_t{mask.width} * scale, height = std::int64_t{mask.height} * scale;
     if (width > 16384 || height > 16384)
         throw Error("--scale {} makes an image of {} x {}; at most 16384 on a side", scale, width, height);
-    require_writable(path);
     Image image(static_cast<int>(width), static_cast<int>(height));
     Progress progress("revectorizing");
     const int rows_at_once = std::max(1, (1 << 20) / image.width);
@@ -108,11 +107,10 @@ void write_image(Technique& technique, const Mask& mask, int scale, const std::f
         }
         progress.show(static_cast<std::size_t>(last), static_cast<std::size_t>(image.height));
     }
-    write_png(path, image);
+    return image;
 }
 
-std::string sample(Technique& technique, const std::filesystem::path& path) {
-    const Csv csv = read_csv(path);
+std::vector<Point> points_of(const Csv& csv) {
     const std::size_t x = csv.column("x"), y = csv.column("y"), px = csv.column("px"), py = csv.column("py");
     std::vector<Point> points;
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
@@ -129,6 +127,10 @@ std::string sample(Technique& technique, const std::filesystem::path& path) {
         };
         points.push_back({{whole(x), whole(y)}, {fraction(px), fraction(py)}});
     }
+    return points;
+}
+
+std::string table_of(Technique& technique, const Csv& csv, std::span<const Point> points) {
     const std::vector<float> visibility = technique.visibility(points);
     const std::vector<std::uint32_t> numbers = technique.numbers(points);
     std::string text = fmt::format("{},case,visibility\n", fmt::join(csv.header, ","));
@@ -153,17 +155,27 @@ void run(const Options& options, const Common& common) {
         throw Error("revectorize needs --out IMAGE.png, or --samples IN.csv, or both");
     Mask mask = load_mask(options.mask);
     mask.outside = parse_outside(options.outside, "--outside");
-    if (table) require_writable(*table);
-    Technique technique(options.technique, common, mask);
-    if (image) write_image(technique, mask, options.scale, *image);
+    Csv csv;
+    std::vector<Point> points;
     if (!options.samples.empty()) {
-        const std::string text = sample(technique, options.samples);
-        if (table)
-            write_file(*table, text);
-        else
-            fmt::print("{}", text);
+        csv = read_csv(options.samples);
+        points = points_of(csv);
     }
+    for (const auto& output : {table, image})
+        if (output) require_writable(*output);
+
+    // Whatever can go wrong does so before the first file is written.
+    Technique technique(options.technique, common, mask);
+    Image drawn;
+    if (image) drawn = image_of(technique, mask, options.scale);
+    std::string text;
+    if (!options.samples.empty()) text = table_of(technique, csv, points);
     require_no_validation_messages();
+    if (image) write_png(*image, drawn);
+    if (table)
+        write_file(*table, text);
+    else
+        fmt::print("{}", text);
 }
 
 } // namespace

@@ -32,7 +32,8 @@ void main() {
     bool perspective = frame.light_origin.w == 1.0;
     vec3 to_light = perspective ? frame.light_origin.xyz - g.xyz : frame.light_origin.xyz;
     vec4 clip = frame.light * vec4(g.xyz, 1.0);
-    vec2 position = (clip.xy / clip.w * 0.5 + 0.5) * float(frame.size.z);
+    // Behind a perspective light is beyond its map, though the division would mirror it in.
+    vec2 position = clip.w > 0.0 ? (clip.xy / clip.w * 0.5 + 0.5) * float(frame.size.z) : vec2(-1.0);
 
     // The plane n.(X - P) = 0 seen from the light. Directional: X moves by texel_x per texel and axis per unit of depth, so
     // depth changes by -(n.texel_x) / (n.axis). Perspective: X = light + w (ray + x texel_x + y texel_y), so 1 / w is linear

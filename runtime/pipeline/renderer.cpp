@@ -238,6 +238,17 @@ const Surfaces& Renderer::surfaces() {
     return impl_->host_surfaces;
 }
 
+std::vector<float> Renderer::shadow_map() {
+    Stopwatch ignored;
+    impl_->draw_shadow_map(ignored);
+    return impl_->device.read<float>(impl_->depth_texels);
+}
+
+const std::vector<shared::Receiver>& Renderer::receivers() {
+    impl_->read_receivers();
+    return impl_->host_receivers;
+}
+
 std::vector<Capture> Renderer::capture(const std::vector<std::uint32_t>& pixels) {
     Impl& r = *impl_;
     Stopwatch ignored;

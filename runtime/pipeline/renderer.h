@@ -63,6 +63,12 @@ public:
 
     const Surfaces& surfaces();
 
+    /// Depth along the light's axis per texel, row-major: 0 at near, 1 at far and where there is nothing.
+    std::vector<float> shadow_map();
+
+    /// What every pixel asks of the shadow map (kernels/pipeline/receiver.glslh).
+    const std::vector<shared::Receiver>& receivers();
+
     /// The pixels' inputs to a technique's kernel. Only pixels inside the map that face the light have any.
     std::vector<Capture> capture(const std::vector<std::uint32_t>& pixels);
 

@@ -21,8 +21,7 @@ constexpr float lift_of_diagonal = 1e-5f;
 bool finite(vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 void require_direction(vec3 direction, const char* option) {
-    const float length = glm::length(direction);
-    if (!finite(direction) || !(length > 0) || !std::isfinite(length))
+    if (!finite(direction) || direction == vec3(0))
         throw Error("{} is {},{},{}; a direction must be finite and not zero", option, direction.x,
                     direction.y, direction.z);
 }
@@ -32,12 +31,15 @@ void require_position(vec3 position, const char* option) {
         throw Error("{} is {},{},{}; a position must be finite", option, position.x, position.y, position.z);
 }
 
+/// Of any length that is not zero, also where its square would leave the range of float.
+vec3 unit(vec3 v) { return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); }
+
 /// Right-handed axes across `forward`, with +y up as far as possible.
 struct Axes {
     vec3 right, up, forward;
 };
 Axes axes_along(vec3 direction) {
-    const vec3 forward = glm::normalize(direction);
+    const vec3 forward = unit(direction);
     const vec3 hint = std::abs(forward.y) > 0.999f ? vec3(0, 0, 1) : vec3(0, 1, 0);
     const vec3 right = glm::normalize(glm::cross(forward, hint));
     return {right, glm::cross(right, forward), forward};
