@@ -81,6 +81,12 @@ void add_check(CLI::App& app, Common& common, int& exit_code) {
     verb->add_option("--jobs", options->jobs,
                      "worker threads, each with its own device (default: one per core)")
         ->check(CLI::Range(0u, 256u));
+    verb->footer("Pins and hostile values (NaN, infinities, denormals, ranges' ends) come first, then random "
+                 "samples.\n\n"
+                 "  gnomon check                          every kernel\n"
+                 "  gnomon check 'smsr/case_*'            a family's cases\n"
+                 "  gnomon check smsr/case_09 --samples 10000000 --seed 7\n"
+                 "  gnomon check --format junit > check.xml");
     verb->callback([options, &common, &exit_code] { exit_code = run(*options, common); });
 }
 

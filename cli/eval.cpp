@@ -89,6 +89,11 @@ void add_eval(CLI::App& app, Common& common) {
                      "one input on the command line: the values of all columns, in their order");
     verb->add_flag("--reference", options->reference,
                    "add the reference's value as `reference` (`undefined` outside the kernel's domain)");
+    verb->footer("Numbers are decimal, or hexadecimal floats that name every bit (0x1.8p-1); nan and inf are "
+                 "numbers too.\n\n"
+                 "  gnomon eval smsr/case_09 --in inputs.csv --out outputs.csv --reference\n"
+                 "  gnomon eval smsr/case_09 --at 0.5,0x1p-2,0.75 --reference\n"
+                 "  gnomon eval smsr/visibility --at '..#/###,lit,0,0,0.5,0.5'");
     verb->callback([options, &common] { run(*options, common); });
 }
 

@@ -159,6 +159,9 @@ void add_render(CLI::App& app, Common& common) {
     verb->add_option("--image", options->image, "PNG file to write: the shaded frame");
     verb->add_option("--errors", options->errors,
                      "PNG file to write: red lit but truly in shadow, blue shadowed but truly lit");
+    verb->footer(
+        "  gnomon render --technique smsr --image smsr.png --errors wrong.png\n"
+        "  gnomon render city.glb --shadow-map 2048 --light-direction=-0.5,-0.65,0.35 --report city.json");
     verb->callback([options, &common] { run(*options, common); });
 }
 

@@ -202,6 +202,8 @@ void add_revectorize(CLI::App& app, Common& common) {
     verb->add_option("--out", options->out,
                      "IMAGE.png, or the table for --samples (default: print); may be given twice")
         ->expected(1, 2);
+    verb->footer("  gnomon revectorize mask.txt --scale 32 --out edges.png\n"
+                 "  gnomon revectorize mask.png --samples points.csv --out visibility.csv");
     verb->callback([options, &common] { run(*options, common); });
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <system_error>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -42,7 +43,7 @@ Target resolve_target(const fs::path& path) {
     if (!fs::exists(status) && !path.has_filename())
         throw Error("cannot write '{}': it names a folder; name a file", path.string());
     // Renaming needs no permission on the file itself, but its owner made it read-only for a reason.
-    if (fs::exists(status) && access(path.c_str(), W_OK) != 0)
+    if (fs::exists(status) && faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
         throw Error("cannot write '{}': {}", path.string(), reason(errno));
     if (fs::exists(status) && !fs::is_regular_file(status)) return {path, true};
 
@@ -104,7 +105,7 @@ std::optional<fs::path> environment_path(const char* variable) {
 bool usable_directory(const fs::path& path) {
     std::error_code error;
     fs::create_directories(path, error);
-    return fs::is_directory(path, error) && access(path.c_str(), W_OK | X_OK) == 0;
+    return fs::is_directory(path, error) && faccessat(AT_FDCWD, path.c_str(), W_OK | X_OK, AT_EACCESS) == 0;
 }
 
 /// Anyone may create names in the temporary folder: a cache somebody else made there is not to be trusted.

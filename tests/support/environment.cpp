@@ -1,0 +1,9 @@
+#include "tests/support/environment.h"
+
+#include <cstdlib>
+
+namespace gnomon::testing {
+
+void use_test_cache() { setenv("GNOMON_CACHE", GNOMON_TEST_CACHE, 1); }
+
+} // namespace gnomon::testing
