@@ -108,7 +108,10 @@ void run(const Case& c, const Prepared& prepared, gpu::Device& device, CheckRepo
 /// A device of a worker's own, started in the background and replaced when a kernel has hung it.
 class WorkerDevice {
 public:
-    explicit WorkerDevice(const gpu::DeviceOptions& options) : options_(options) { restart(); }
+    explicit WorkerDevice(const gpu::DeviceOptions& options) : options_(options) {
+        options_.isolated = true;
+        restart();
+    }
     gpu::Device& get() {
         if (starting_.valid()) device_.emplace(starting_.get());
         return *device_;
@@ -265,14 +268,14 @@ std::string format_call(const Case& c, std::span<const std::uint32_t> input, con
     return call;
 }
 
-std::string replay_command(const Case& c, const Finding& finding) {
+std::string replay_command(const Case& c, const Finding& finding, const std::string& options) {
     std::vector<std::string> cells;
     if (finding.mask) cells = {format_mask(*finding.mask, '/'), to_string(finding.mask->outside)};
     std::size_t word = 0;
     for (const Type& type : c.reference.parameters)
         for (int k = 0; k < type.components; ++k)
             cells.push_back(format_word(type.scalar, finding.input[word++]));
-    return fmt::format("gnomon eval {} --reference --at '{}'", c.name, fmt::join(cells, ","));
+    return fmt::format("gnomon eval {}{} --reference --at '{}'", c.name, options, fmt::join(cells, ","));
 }
 
 } // namespace gnomon

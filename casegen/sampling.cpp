@@ -67,8 +67,7 @@ std::vector<std::uint32_t> hostile_words(Scalar scalar, const Domain& domain, st
         break;
     }
     std::ranges::sort(words);
-    const auto repeated = std::ranges::unique(words);
-    words.erase(repeated.begin(), repeated.end());
+    words.erase(std::unique(words.begin(), words.end()), words.end());
     return words;
 }
 

@@ -31,7 +31,16 @@ std::optional<std::uint64_t> parse_seed(const std::string& text) {
     throw Error("--seed is \"{}\"; a whole number below 2^64 is needed, decimal or 0x…", text);
 }
 
-int run(const Options& options, const Common& common) {
+/// What a command that replays a finding must say besides: these kernels, this device.
+std::string replay_options(const CLI::App& app) {
+    std::string text;
+    for (const char* option : {"--kernels", "--device"})
+        if (app.count(option) > 0)
+            text += fmt::format(" {} '{}'", option, app.get_option(option)->as<std::string>());
+    return text;
+}
+
+int run(const Options& options, const Common& common, const std::string& replay) {
     const std::vector<const Case*> cases = find_cases(options.pattern);
     CheckOptions check_options;
     check_options.kernels = common.kernels;
@@ -47,11 +56,11 @@ int run(const Options& options, const Common& common) {
     }
     require_no_validation_messages();
     if (options.format == "json")
-        fmt::print("{}\n", check_json(reports));
+        fmt::print("{}\n", check_json(reports, replay));
     else if (options.format == "junit")
-        fmt::print("{}\n", check_junit(reports));
+        fmt::print("{}\n", check_junit(reports, replay));
     else
-        fmt::print("{}", check_text(reports));
+        fmt::print("{}", check_text(reports, replay));
     for (const CheckReport& report : reports)
         if (report.verdict != Verdict::pass) return 1;
     return 0;
@@ -87,7 +96,8 @@ void add_check(CLI::App& app, Common& common, int& exit_code) {
                  "  gnomon check 'smsr/case_*'            a family's cases\n"
                  "  gnomon check smsr/case_09 --samples 10000000 --seed 7\n"
                  "  gnomon check --format junit > check.xml");
-    verb->callback([options, &common, &exit_code] { exit_code = run(*options, common); });
+    verb->callback(
+        [options, &app, &common, &exit_code] { exit_code = run(*options, common, replay_options(app)); });
 }
 
 } // namespace gnomon::cli

@@ -35,7 +35,7 @@ int check_all(const Common& common, nlohmann::ordered_json& report) {
 
 /// Against the light, so that the shadows of fence and lattice fall towards the viewer.
 Camera demo_camera(const Scene& scene) {
-    Camera camera = default_camera(scene.bounds());
+    Camera camera = default_camera(scene.bounds(), 1);
     camera.position = {2.4f, 2.2f, 7.4f};
     camera.direction = {-0.30f, -0.36f, -0.9f};
     camera.fov = 40;

@@ -55,7 +55,12 @@ void run(const Options& options, const Common& common) {
     for (const std::string& warning : scene.warnings)
         fmt::print(stderr, "gnomon: {}: {}\n", scene.name, warning);
 
-    Camera camera = default_camera(scene.bounds());
+    ViewSettings settings;
+    std::tie(settings.width, settings.height) = parse_size(options.size, "--size");
+    const bool has_area = settings.width > 0 && settings.height > 0; // else require_valid says so
+    Camera camera = default_camera(scene.bounds(), has_area ? static_cast<float>(settings.width) /
+                                                                  static_cast<float>(settings.height)
+                                                            : 1);
     if (!options.camera_position.empty())
         camera.position = parse_vector(options.camera_position, "--camera-position");
     if (!options.camera_direction.empty())
@@ -74,8 +79,6 @@ void run(const Options& options, const Common& common) {
     }
     if (!options.light_direction.empty())
         light.direction = parse_vector(options.light_direction, "--light-direction");
-    ViewSettings settings;
-    std::tie(settings.width, settings.height) = parse_size(options.size, "--size");
     settings.shadow_map = options.shadow_map;
     settings.bias = options.bias;
     settings.receiver_plane = options.receiver == "plane";
@@ -120,25 +123,32 @@ void run(const Options& options, const Common& common) {
 } // namespace
 
 void add_render(CLI::App& app, Common& common) {
+    const CLI::Validator not_empty([](std::string& value) { return value.empty() ? "is empty" : ""; }, "");
     CLI::App* verb =
         app.add_subcommand("render", "render a scene and judge its shadows against ray-traced truth");
     auto options = std::make_shared<Options>();
-    verb->add_option("SCENE", options->scene, "glTF, OBJ or PLY file (default: the demo scene)");
+    verb->add_option("SCENE", options->scene, "glTF, OBJ or PLY file (default: the demo scene)")
+        ->check(not_empty);
     verb->add_option("--technique", options->technique, "how visibility is found")
         ->check(CLI::IsMember(technique_names()))
         ->capture_default_str();
-    verb->add_option("--camera-position", options->camera_position, "X,Y,Z (default: sees the whole scene)");
+    verb->add_option("--camera-position", options->camera_position, "X,Y,Z (default: sees the whole scene)")
+        ->check(not_empty);
     verb->add_option("--camera-direction", options->camera_direction,
-                     "X,Y,Z (default: towards the scene's centre)");
+                     "X,Y,Z (default: towards the scene's centre)")
+        ->check(not_empty);
     verb->add_option("--fov", options->fov, "vertical field of view in degrees (default: 50)");
     verb->add_option("--near", options->near, "nearest distance seen (default: from the scene's size)");
     verb->add_option("--far", options->far, "farthest distance seen (default: from the scene's size)");
     verb->add_option("--light-direction", options->light_direction,
-                     "X,Y,Z: the way light travels (default: 0.5,-0.7,0.3)");
-    CLI::Option* light_position = verb->add_option(
-        "--light-position", options->light_position,
-        "X,Y,Z of a perspective light, which looks along --light-direction (default: towards the "
-        "scene's centre); without it the light is directional");
+                     "X,Y,Z: the way light travels (default: 0.5,-0.7,0.3)")
+        ->check(not_empty);
+    CLI::Option* light_position =
+        verb->add_option(
+                "--light-position", options->light_position,
+                "X,Y,Z of a perspective light, which looks along --light-direction (default: towards the "
+                "scene's centre); without it the light is directional")
+            ->check(not_empty);
     verb->add_option("--light-fov", options->light_fov, "a perspective light's field of view in degrees")
         ->needs(light_position)
         ->capture_default_str();
@@ -155,10 +165,11 @@ void add_render(CLI::App& app, Common& common) {
                      "frames that times are the median of; one more is discarded")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
-    verb->add_option("--report", options->report, "JSON file to write");
-    verb->add_option("--image", options->image, "PNG file to write: the shaded frame");
+    verb->add_option("--report", options->report, "JSON file to write")->check(not_empty);
+    verb->add_option("--image", options->image, "PNG file to write: the shaded frame")->check(not_empty);
     verb->add_option("--errors", options->errors,
-                     "PNG file to write: red lit but truly in shadow, blue shadowed but truly lit");
+                     "PNG file to write: red lit but truly in shadow, blue shadowed but truly lit")
+        ->check(not_empty);
     verb->footer(
         "  gnomon render --technique smsr --image smsr.png --errors wrong.png\n"
         "  gnomon render city.glb --shadow-map 2048 --light-direction=-0.5,-0.65,0.35 --report city.json");

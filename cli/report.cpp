@@ -14,7 +14,7 @@ std::string error_text(double error) {
 }
 
 /// The finding's lines of a report, each behind two blanks.
-std::string finding_text(const CheckReport& report) {
+std::string finding_text(const CheckReport& report, const std::string& options) {
     const Case& c = *report.kernel;
     std::string text;
     if (!report.message.empty()) text += fmt::format("  {}\n", report.message);
@@ -27,7 +27,7 @@ std::string finding_text(const CheckReport& report) {
                                                    c.result.lower, c.result.upper);
         text += fmt::format("  got {}, want {}, allowed {}\n", format_result(c, f.got), want,
                             to_string(c.tolerance));
-        text += fmt::format("  {}\n", replay_command(c, f));
+        text += fmt::format("  {}\n", replay_command(c, f, options));
     }
     if (report.verdict == Verdict::wrong)
         text += fmt::format("  {} of {} samples fail; seed {:#x}\n", report.failures, report.samples,
@@ -58,7 +58,7 @@ std::string xml(std::string_view text) {
 
 } // namespace
 
-std::string check_text(std::span<const CheckReport> reports) {
+std::string check_text(std::span<const CheckReport> reports, const std::string& options) {
     std::size_t width = 6;
     for (const CheckReport& report : reports) width = std::max(width, report.kernel->name.size());
     std::string text = fmt::format("{:<{}}  {:<13}  {:>9}  {:>11}  {:<22}  {:>7}  {}\n", "kernel", width,
@@ -79,12 +79,12 @@ std::string check_text(std::span<const CheckReport> reports) {
     for (const CheckReport& report : reports)
         if (report.verdict != Verdict::pass)
             text += fmt::format("\nFAIL {} ({})\n{}", report.kernel->name, to_string(report.verdict),
-                                finding_text(report));
+                                finding_text(report, options));
     text += fmt::format("\n{} passed, {} failed\n", reports.size() - failed, failed);
     return text;
 }
 
-std::string check_json(std::span<const CheckReport> reports) {
+std::string check_json(std::span<const CheckReport> reports, const std::string& options) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const CheckReport& report : reports) {
         const Case& c = *report.kernel;
@@ -104,14 +104,14 @@ std::string check_json(std::span<const CheckReport> reports) {
             entry["worst_call"] = format_call(c, f.input, f.mask ? &*f.mask : nullptr);
             entry["got"] = format_result(c, f.got);
             if (f.in_domain) entry["want"] = format_result(c, f.want);
-            entry["replay"] = replay_command(c, f);
+            entry["replay"] = replay_command(c, f, options);
         }
         list.push_back(std::move(entry));
     }
     return nlohmann::ordered_json{{"kernels", list}}.dump(2);
 }
 
-std::string check_junit(std::span<const CheckReport> reports) {
+std::string check_junit(std::span<const CheckReport> reports, const std::string& options) {
     std::string cases;
     std::size_t failed = 0;
     for (const CheckReport& report : reports) {
@@ -126,7 +126,7 @@ std::string check_junit(std::span<const CheckReport> reports) {
         }
         ++failed;
         cases += fmt::format(">\n    <failure type=\"{0}\" message=\"{0}\">{1}</failure>\n  </testcase>\n",
-                             xml(to_string(report.verdict)), xml(finding_text(report)));
+                             xml(to_string(report.verdict)), xml(finding_text(report, options)));
     }
     return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                        "<testsuite name=\"gnomon check\" tests=\"{}\" failures=\"{}\">\n{}</testsuite>",

@@ -30,9 +30,10 @@ Reflection reflect(const Spirv& words, std::string_view name) try {
         reflection.storage_buffers.push_back(compiler.get_decoration(buffer.id, spv::DecorationBinding));
     }
     std::ranges::sort(reflection.storage_buffers);
-    const auto repeated =
-        std::ranges::unique(reflection.storage_buffers); // two views of one buffer are one binding
-    reflection.storage_buffers.erase(repeated.begin(), repeated.end());
+    // Two views of one buffer are one binding.
+    reflection.storage_buffers.erase(
+        std::unique(reflection.storage_buffers.begin(), reflection.storage_buffers.end()),
+        reflection.storage_buffers.end());
     for (const spirv_cross::Resource& block : resources.push_constant_buffers)
         reflection.push_constant_bytes = static_cast<std::uint32_t>(
             compiler.get_declared_struct_size(compiler.get_type(block.base_type_id)));

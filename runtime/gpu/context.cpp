@@ -72,7 +72,7 @@ Context::~Context() {
 
 Device::Device(const DeviceOptions& options) : context_(std::make_shared<Context>()) {
     Context& c = *context_;
-    PhysicalDevice chosen = choose_device(instance(options.validation), options.name);
+    PhysicalDevice chosen = choose_device(instance(options.validation, options.isolated), options.name);
     c.physical = chosen.handle;
     c.info = std::move(chosen.info);
     c.time_limit = options.time_limit;

@@ -30,8 +30,11 @@ namespace gnomon::gpu {
 struct Context;
 
 struct DeviceOptions {
-    std::string name;         ///< index or part of the name; empty: lavapipe
-    bool validation = false;  ///< Vulkan's validation layer; see take_validation_messages
+    std::string name;        ///< index or part of the name; empty: lavapipe
+    bool validation = false; ///< Vulkan's validation layer; see take_validation_messages
+    /// With an instance of its own: the devices of one share lavapipe's threads, so that a kernel that hangs
+    /// on one of them blocks the others.
+    bool isolated = false;
     double time_limit = 20.0; ///< seconds that one dispatch or draw may take
 };
 

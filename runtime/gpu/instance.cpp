@@ -85,7 +85,8 @@ VkInstance create_instance(bool validation) {
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
         throw Error("no Vulkan driver on this machine; {}", no_driver);
     check(result, "creating the Vulkan instance");
-    volkLoadInstance(handle);
+    static std::array<std::once_flag, 2> loaded; // the loader's functions serve every instance
+    std::call_once(loaded[validation ? 1 : 0], [&] { volkLoadInstance(handle); });
     if (validation) collect_validation_messages(handle);
     return handle;
 }
@@ -125,10 +126,11 @@ void prepare_process(bool default_device_only) {
     });
 }
 
-VkInstance instance(bool validation) {
+VkInstance instance(bool validation, bool isolated) {
     static std::mutex mutex;
     static std::array<VkInstance, 2> instances{};
     const std::scoped_lock lock(mutex);
+    if (isolated) return create_instance(validation);
     VkInstance& slot = instances[validation ? 1 : 0];
     if (slot == VK_NULL_HANDLE) slot = create_instance(validation);
     return slot;

@@ -103,8 +103,7 @@ Raster Device::raster(const glsl::Spirv& vertex, const glsl::Spirv& fragment, co
         auto& numbers = interface.storage_buffers;
         numbers.insert(numbers.end(), extra.storage_buffers.begin(), extra.storage_buffers.end());
         std::ranges::sort(numbers);
-        const auto repeated = std::ranges::unique(numbers);
-        numbers.erase(repeated.begin(), repeated.end());
+        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
         interface.push_constant_bytes = std::max(interface.push_constant_bytes, extra.push_constant_bytes);
     }
     constexpr VkShaderStageFlags stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;

@@ -25,8 +25,9 @@ struct PhysicalDevice {
 };
 
 /// The process's instance, made on first use, with or without the validation layer. Never destroyed: a device
-/// may still be hanging in an endless kernel when the process ends. Throws Error with the remedy.
-VkInstance instance(bool validation);
+/// may still be hanging in an endless kernel when the process ends. `isolated`: a new one, for a device that
+/// must not wait when another one hangs. Throws Error with the remedy.
+VkInstance instance(bool validation, bool isolated = false);
 
 /// As list_devices, with handles.
 std::vector<PhysicalDevice> physical_devices(VkInstance instance);

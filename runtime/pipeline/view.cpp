@@ -81,7 +81,11 @@ Box box_along(const Axes& axes, const std::array<vec3, N>& points) {
 mat4 perspective(vec3 position, const Axes& axes, float fov, float aspect, float near, float far) {
     mat4 projection = glm::perspectiveRH_ZO(glm::radians(fov), aspect, near, far);
     projection[1][1] = -projection[1][1];
-    return projection * glm::lookAtRH(position, position + axes.forward, axes.up);
+    // Not glm::lookAt: far from the origin, position + forward would round the direction away.
+    const mat4 view = glm::transpose(
+        mat4(vec4(axes.right, -glm::dot(axes.right, position)), vec4(axes.up, -glm::dot(axes.up, position)),
+             vec4(-axes.forward, glm::dot(axes.forward, position)), vec4(0, 0, 0, 1)));
+    return projection * view;
 }
 
 void light_directional(shared::Frame& frame, const Light& light, const Camera& camera,
@@ -151,10 +155,10 @@ void require_valid(const Camera& camera, const Light& light, const ViewSettings&
     require_side(settings.width, "--size: the width");
     require_side(settings.height, "--size: the height");
     require_side(settings.shadow_map, "--shadow-map");
-    require_direction(camera.direction, "--camera-direction");
     require_position(camera.position, "--camera-position");
-    require_direction(light.direction, "--light-direction");
+    require_direction(camera.direction, "--camera-direction");
     if (light.position) require_position(*light.position, "--light-position");
+    require_direction(light.direction, "--light-direction");
     const auto require_fov = [](float fov, const char* option) {
         if (!(fov > 0.01f && fov < 179.9f))
             throw Error("{} is {}; 0.01 to 179.9 degrees are possible", option, fov);
@@ -167,12 +171,23 @@ void require_valid(const Camera& camera, const Light& light, const ViewSettings&
         throw Error("--bias is {}; it must be 0 (choose for me) or a positive distance", settings.bias);
 }
 
-Camera default_camera(const Box& box) {
+Camera default_camera(const Box& box, float aspect) {
     Camera camera;
     const float diagonal = std::max(box.diagonal(), 1e-6f);
     camera.direction = glm::normalize(vec3(-0.45f, -0.42f, -0.8f));
-    camera.position = box.centre() - 0.85f * diagonal * camera.direction;
     camera.fov = 50;
+    // Back until the last corner is in sight, with a little room around it.
+    const Axes axes = axes_along(camera.direction);
+    const float tangent = 0.95f * std::tan(glm::radians(camera.fov) / 2);
+    float distance = 0;
+    for (const vec3 corner : corners(box)) {
+        const vec3 from_centre = corner - box.centre();
+        const float across = std::max(std::abs(glm::dot(axes.right, from_centre)) / aspect,
+                                      std::abs(glm::dot(axes.up, from_centre)));
+        const float in_front = std::max(across / tangent, 0.02f * diagonal);
+        distance = std::max(distance, in_front - glm::dot(axes.forward, from_centre));
+    }
+    camera.position = box.centre() - distance * camera.direction;
     camera.near = 0.01f * diagonal;
     camera.far = 3 * diagonal;
     return camera;

@@ -37,8 +37,9 @@ struct ViewSettings {
 /// beyond far).
 void require_valid(const Camera& camera, const Light& light, const ViewSettings& settings);
 
-/// A camera that sees the whole box from above a corner, and distances that suit it.
-Camera default_camera(const Box& box);
+/// A camera that sees the whole box from above a corner, and distances that suit it. `aspect` is the image's
+/// width over its height.
+Camera default_camera(const Box& box, float aspect);
 
 /// What the stages need. A directional light's map covers, across the light, the part of the scene's box that
 /// the camera's frustum can see, and along it the whole box: everything that casts. A perspective light's

@@ -110,7 +110,7 @@ TEST(Projection, ReceiversAreWhereRaysFindThem) {
             }
         EXPECT_GT(compared, view.settings.width * view.settings.height / 2);
         EXPECT_GT(covered, 500);
-        EXPECT_GT(facing, 300);
+        EXPECT_GT(facing, 150);
     }
 }
 

@@ -130,7 +130,7 @@ struct QuadCase {
     View view;
 };
 std::vector<QuadCase> quad_cases(const Scene& scene) {
-    View view = default_view(scene, 200, 150, 128);
+    View view = default_view(scene, 280, 210, 128);
     std::vector<QuadCase> cases{{"sun", view}};
     view.light.direction = {0, -1, 0};
     cases.push_back({"zenith", view});

@@ -8,7 +8,7 @@ namespace gnomon::testing {
 
 View default_view(const Scene& scene, int width, int height, int shadow_map) {
     View view;
-    view.camera = default_camera(scene.bounds());
+    view.camera = default_camera(scene.bounds(), static_cast<float>(width) / static_cast<float>(height));
     view.settings.width = width;
     view.settings.height = height;
     view.settings.shadow_map = shadow_map;

@@ -1,0 +1,4 @@
+// Is called like another.
+float smsr_case_9(vec2 p, float along_x) {
+    return 1.0 - p.y < along_x ? 0.0 : 1.0;
+}
