@@ -70,7 +70,9 @@ void judge_all(const Case& c, const Sampler& sampler, std::size_t begin, const R
     if (report.failures > 0) report.verdict = Verdict::wrong;
 }
 
-void run(const Case& c, const Prepared& prepared, gpu::Device& device, CheckReport& report) {
+/// `progress` is told of every dispatch's samples.
+void run(const Case& c, const Prepared& prepared, gpu::Device& device, CheckReport& report,
+         const std::function<void(std::size_t)>& progress) {
     gpu::Kernel kernel = device.kernel(prepared.words, c.name);
     report.samples = prepared.samples;
     for (std::size_t begin = 0; begin < prepared.samples; begin += samples_per_dispatch) {
@@ -82,26 +84,20 @@ void run(const Case& c, const Prepared& prepared, gpu::Device& device, CheckRepo
         report.nanoseconds += outputs.nanoseconds / static_cast<double>(prepared.samples);
         judge_all(c, prepared.sampler, begin, records, outputs, report);
 
-        const auto unwritten = std::ranges::find(outputs.unwritten, 1);
-        if (unwritten != outputs.unwritten.end()) {
-            const auto index = begin + static_cast<std::size_t>(unwritten - outputs.unwritten.begin());
-            report.verdict = Verdict::unwritten;
-            report.message = fmt::format("{} of {} results were never written",
-                                         std::ranges::count(outputs.unwritten, 1), records.size());
-            report.worst =
-                make_finding(c, prepared.sampler, index, {}, std::numeric_limits<double>::infinity());
-            return;
+        report.message = outputs.complaint();
+        if (report.message.empty()) {
+            progress(end - begin);
+            continue;
         }
-        if (outputs.stray_write) {
-            report.verdict = Verdict::stray_write;
-            report.message = "memory before or behind the results was overwritten";
-            return;
-        }
-        if (outputs.unstable) {
-            report.verdict = Verdict::unstable;
-            report.message = "two runs over the same inputs gave different results";
-            return;
-        }
+        const auto gap = std::ranges::find(outputs.unwritten, 1);
+        report.verdict = gap != outputs.unwritten.end() ? Verdict::unwritten
+                         : outputs.stray_write          ? Verdict::stray_write
+                                                        : Verdict::unstable;
+        if (report.verdict == Verdict::unwritten)
+            report.worst = make_finding(c, prepared.sampler,
+                                        begin + static_cast<std::size_t>(gap - outputs.unwritten.begin()), {},
+                                        std::numeric_limits<double>::infinity());
+        return;
     }
 }
 
@@ -127,13 +123,14 @@ private:
 };
 
 CheckReport check_one(const Case& c, const CheckOptions& options, const glsl::Sources& sources,
-                      const std::shared_ptr<const EdgePool>& pool, WorkerDevice& device) {
+                      const std::shared_ptr<const EdgePool>& pool, WorkerDevice& device,
+                      const std::function<void(std::size_t)>& progress) {
     CheckReport report;
     report.kernel = &c;
     report.seed = options.seed.value_or(default_seed(c.name));
     try {
         const Prepared prepared = prepare(c, options, sources, pool, report.seed);
-        run(c, prepared, device.get(), report);
+        run(c, prepared, device.get(), report, progress);
     } catch (const CompileError& error) {
         report.verdict = Verdict::compile_error;
         report.message = error.what();
@@ -179,12 +176,15 @@ std::string to_string(Verdict verdict) {
 
 std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOptions& options,
                                const std::function<void(std::size_t)>& done) {
+    if (!std::filesystem::is_directory(options.kernels))
+        throw Error("{}: no such folder; --kernels names the one that holds smsr/case_09.glsl and the others",
+                    options.kernels.string());
     const glsl::Sources sources = kernel_sources(options.kernels);
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     const std::size_t jobs = std::min<std::size_t>(options.jobs > 0 ? options.jobs : cores, cases.size());
     std::vector<CheckReport> reports(cases.size());
     std::atomic<std::size_t> next = 0;
-    std::size_t finished = 0;
+    std::size_t samples_done = 0;
     std::mutex mutex;
     std::exception_ptr failure;
 
@@ -206,14 +206,17 @@ std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOp
     std::promise<std::shared_ptr<const EdgePool>> pool_promise;
     const std::shared_future<std::shared_ptr<const EdgePool>> pool = pool_promise.get_future().share();
 
+    const auto progress = [&](std::size_t samples) {
+        const std::scoped_lock lock(mutex);
+        samples_done += samples;
+        if (done) done(samples_done);
+    };
     const auto work = [&] {
         try {
             WorkerDevice device(options.device);
             for (std::size_t n = next++; n < cases.size(); n = next++) {
                 const std::size_t i = order[n];
-                reports[i] = check_one(*cases[i], options, sources, pool.get(), device);
-                const std::scoped_lock lock(mutex);
-                if (done) done(++finished);
+                reports[i] = check_one(*cases[i], options, sources, pool.get(), device, progress);
             }
         } catch (...) {
             const std::scoped_lock lock(mutex);

@@ -68,6 +68,16 @@ std::string signature(const Case& c) {
                        fmt::join(parameters, ", "));
 }
 
+/// glslang makes an OpUndef where a function ends without a return; a driver may then return anything, the
+/// right answer included.
+bool has_undefined_value(const glsl::Spirv& words) {
+    constexpr std::size_t header = 5;
+    constexpr std::uint32_t op_undef = 1;
+    for (std::size_t i = header; i < words.size(); i += std::max(words[i] >> 16, 1u))
+        if ((words[i] & 0xffffu) == op_undef) return true;
+    return false;
+}
+
 std::size_t record_words(const Case& c) {
     const std::size_t words = word_count(c) + (c.reference.takes_mask ? 4 : 0);
     return std::max<std::size_t>(4, (words + 3) / 4 * 4);
@@ -101,7 +111,9 @@ std::string standalone_source(const Case& c) {
         writes += fmt::format("    results[{}u + {}u * index + {}u] = {};\n", guard_words, result.components,
                               k, to_word(result.scalar, value));
     }
+    // The prototype first: GLSL converts arguments silently, so that another signature would otherwise do.
     return fmt::format(R"(layout(local_size_x = 64) in;
+{prototype};
 #include "{file}.glsl"
 layout(std430, binding = 0) readonly buffer Inputs {{ uvec4 inputs[]; }};
 layout(std430, binding = 1) writeonly buffer Results {{ uint results[]; }};
@@ -114,7 +126,8 @@ void main() {{
 {mask}    {type} result = {function}({arguments});
 {writes}}}
 )",
-                       fmt::arg("file", c.name), fmt::arg("hook", c.reference.takes_mask ? mask_hook : ""),
+                       fmt::arg("prototype", signature(c)), fmt::arg("file", c.name),
+                       fmt::arg("hook", c.reference.takes_mask ? mask_hook : ""),
                        fmt::arg("stride", record_words(c) / 4), fmt::arg("mask", mask_setup),
                        fmt::arg("type", glsl_name(result)), fmt::arg("function", function_name(c)),
                        fmt::arg("arguments", arguments), fmt::arg("writes", writes));
@@ -124,14 +137,29 @@ glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources) {
     if (!std::filesystem::is_regular_file(sources.root / (c.name + ".glsl")))
         throw CompileError("{}/{}.glsl: no such file; the catalogue has a case of this name",
                            sources.root.string(), c.name);
+    const std::string file = fmt::format("{}/{}.glsl", sources.root.filename().string(), c.name);
+    glsl::Spirv words;
     try {
-        return glsl::compile(sources, standalone_source(c), standalone_name, glsl::Stage::compute);
+        words = glsl::compile(sources, standalone_source(c), standalone_name, glsl::Stage::compute);
     } catch (const CompileError& error) {
         const std::string message = error.what();
-        if (!message.starts_with(standalone_name)) throw;
-        throw CompileError("{}/{}.glsl:1: does not define what its table declares: {}  ({})",
-                           sources.root.filename().string(), c.name, signature(c), message);
+        const bool linking = message.find("No function definition (body) found") != std::string::npos;
+        if (linking && message.find("lit(") != std::string::npos)
+            throw CompileError("{}:1: calls lit(), but its table entry takes no mask", file);
+        if (!linking && !message.starts_with(standalone_name)) throw;
+        throw CompileError("{}:1: does not define what its table declares: {}", file, signature(c));
     }
+    if (has_undefined_value(words))
+        throw CompileError("{}:1: a function in it, or included by it, returns no value on some path", file);
+    const glsl::Reflection reflection = glsl::reflect(words, file);
+    const std::vector<std::uint32_t> expected =
+        c.reference.takes_mask ? std::vector<std::uint32_t>{0, 1, 2} : std::vector<std::uint32_t>{0, 1};
+    for (const std::uint32_t binding : reflection.storage_buffers)
+        if (std::ranges::find(expected, binding) == expected.end())
+            throw CompileError(
+                "{}:1: uses a buffer of its own (binding {}); a kernel is a function of its parameters", file,
+                binding);
+    return words;
 }
 
 Records::Records(const Case& c)
@@ -158,6 +186,14 @@ void Records::place_mask(std::size_t begin, const Mask* mask) {
                            static_cast<std::uint32_t>(mask->height),
                            static_cast<std::uint32_t>(mask->outside)};
     std::ranges::copy(words, words_.begin() + static_cast<std::ptrdiff_t>(begin + word_count_));
+}
+
+std::string Outputs::complaint() const {
+    if (const auto gaps = std::ranges::count(unwritten, 1); gaps > 0)
+        return fmt::format("{} of {} results were never written", gaps, unwritten.size());
+    if (stray_write) return "memory before or behind the results was overwritten";
+    if (unstable) return "two runs over the same inputs gave different results";
+    return {};
 }
 
 Outputs run_standalone(gpu::Device& device, gpu::Kernel& kernel, const Case& c, const Records& records) {

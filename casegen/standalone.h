@@ -68,6 +68,9 @@ private:
 };
 
 struct Outputs {
+    /// What is wrong with the run itself, whatever the values: one sentence, or nothing.
+    std::string complaint() const;
+
     std::vector<std::uint32_t> words;    ///< components(result) per record
     std::vector<std::uint8_t> unwritten; ///< 1 per record whose result the kernel did not write
     bool stray_write = false;            ///< something outside the results was overwritten

@@ -52,7 +52,8 @@ int run(const Options& options, const Common& common, const std::string& replay)
     std::vector<CheckReport> reports;
     {
         Progress progress("checking");
-        reports = check(cases, check_options, [&](std::size_t done) { progress.show(done, cases.size()); });
+        reports = check(cases, check_options,
+                        [&](std::size_t done) { progress.show(done, cases.size() * options.samples); });
     }
     require_no_validation_messages();
     if (options.format == "json")
@@ -80,7 +81,8 @@ void add_check(CLI::App& app, Common& common, int& exit_code) {
     auto options = std::make_shared<Options>();
     verb->add_option("PATTERN", options->pattern,
                      "part of a name, or a pattern with * and ? (default: all kernels)");
-    verb->add_option("--samples", options->samples, "inputs per kernel, pins and hostile values included")
+    verb->add_option("--samples", options->samples,
+                     "inputs per kernel; pins and hostile values are always all run")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
         ->capture_default_str();
     verb->add_option("--seed", options->seed, "of all kernels (default: each its own, the hash of its name)");

@@ -24,10 +24,11 @@ int check_all(const Common& common, nlohmann::ordered_json& report) {
     std::vector<CheckReport> reports;
     {
         Progress progress("checking kernels");
-        reports = check(cases, options, [&](std::size_t done) { progress.show(done, cases.size()); });
+        reports = check(cases, options,
+                        [&](std::size_t done) { progress.show(done, cases.size() * options.samples); });
     }
-    fmt::print("{}\n", check_text(reports));
-    report["kernels"] = nlohmann::ordered_json::parse(check_json(reports))["kernels"];
+    fmt::print("{}\n", check_text(reports, {}));
+    report["kernels"] = nlohmann::ordered_json::parse(check_json(reports, {}))["kernels"];
     for (const CheckReport& r : reports)
         if (r.verdict != Verdict::pass) return 1;
     return 0;

@@ -39,6 +39,16 @@ void run(const Options& options, const Common& common) {
                         ? read_csv(options.in)
                         : parse_csv(fmt::format("{}\n{}\n", fmt::join(columns(c), ","), options.at), "--at");
     const std::vector<CsvInput> inputs = read_inputs(c, csv);
+    std::vector<std::string> header = csv.header;
+    for (const std::string added : {"result", "reference"}) {
+        if (added == "reference" && !options.reference) continue;
+        for (const std::string& name : result_columns(c, added)) {
+            if (std::ranges::find(csv.header, name) != csv.header.end())
+                throw Error("{}: has a column \"{}\" already, which eval would add; rename it", csv.name,
+                            name);
+            header.push_back(name);
+        }
+    }
     if (!options.out.empty()) require_writable(options.out);
 
     Records records(c);
@@ -46,13 +56,9 @@ void run(const Options& options, const Common& common) {
     gpu::Device device(common.device);
     const Outputs outputs = evaluate(device, kernel_sources(common.kernels), c, records);
     require_no_validation_messages();
-    if (const auto gap = std::ranges::find(outputs.unwritten, 1); gap != outputs.unwritten.end())
-        throw Error("{} wrote no result for row {}", c.name, gap - outputs.unwritten.begin() + 1);
+    if (const std::string complaint = outputs.complaint(); !complaint.empty())
+        throw Error("{}: {}; gnomon check {} tells more", c.name, complaint, c.name);
 
-    std::vector<std::string> header = csv.header;
-    for (const std::string& name : result_columns(c, "result")) header.push_back(name);
-    if (options.reference)
-        for (const std::string& name : result_columns(c, "reference")) header.push_back(name);
     std::string text = fmt::format("{}\n", fmt::join(header, ","));
     const auto components = static_cast<std::size_t>(c.reference.result.components);
     const Scalar scalar = c.reference.result.scalar;

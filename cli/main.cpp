@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -36,7 +37,12 @@ int run(int argc, char** argv) {
     app.add_flag("--validation", common.device.validation,
                  "turn Vulkan's validation layer on; any message is an error");
     app.add_option("--time-limit", common.device.time_limit, "seconds that one dispatch may take")
-        ->check(CLI::Range(0.001, 1e6))
+        ->check(CLI::Validator(
+            [](std::string& text) {
+                const double limit = std::strtod(text.c_str(), nullptr);
+                return limit >= 0.001 && limit <= 1e6 ? "" : text + " is not between 0.001 and 1000000";
+            },
+            "SECONDS"))
         ->capture_default_str();
 
     app.parse_complete_callback(
@@ -51,6 +57,15 @@ int run(int argc, char** argv) {
     cli::add_demo(app, common, exit_code);
     cli::add_devices(app, common);
 
+    if (argc > 1 && argv[1][0] != '-') {
+        const std::vector<CLI::App*> verbs = app.get_subcommands([](const CLI::App*) { return true; });
+        const auto known = [&](const CLI::App* verb) { return verb->get_name() == argv[1]; };
+        if (std::none_of(verbs.begin(), verbs.end(), known)) {
+            std::string names;
+            for (const CLI::App* verb : verbs) names += " " + verb->get_name();
+            throw Error("no verb \"{}\"; there are:{}", argv[1], names);
+        }
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -84,6 +99,10 @@ int main(int argc, char** argv) {
     }
     // Everything that matters is written. Leaving without destructors spares the driver's slow farewell, and
     // is the only way out while a kernel loops for ever in one of its threads.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        fmt::print(stderr, "gnomon: standard output could not be written to its end\n");
+        exit_code = 2;
+    }
     std::fflush(nullptr);
     std::_Exit(exit_code);
 }

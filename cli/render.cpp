@@ -110,7 +110,9 @@ void run(const Options& options, const Common& common) {
                                   {"frames", options.frames},
                                   {"view", view_json(camera, light, settings)}};
     report.update(judged_json(judged));
-    if (!options.report.empty()) write_file(options.report, report.dump(2) + "\n");
+    if (!options.report.empty())
+        write_file(options.report,
+                   report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     fmt::print("{}", judged_table({judged}));
     const PixelCounts& c = judged.counts;
     if (c.covered == 0) fmt::print(stderr, "gnomon: the camera sees nothing of the scene\n");

@@ -10,9 +10,9 @@ namespace gnomon::cli {
 
 /// A table; below it, for each kernel that fails, the exact call, got, want, allowed, and the command that
 /// replays it: with `options`, see replay_command.
-std::string check_text(std::span<const CheckReport> reports, const std::string& options);
-std::string check_json(std::span<const CheckReport> reports, const std::string& options);
-std::string check_junit(std::span<const CheckReport> reports, const std::string& options);
+std::string check_text(std::span<const CheckReport> reports, const std::string& options = {});
+std::string check_json(std::span<const CheckReport> reports, const std::string& options = {});
+std::string check_junit(std::span<const CheckReport> reports, const std::string& options = {});
 
 /// Throws Error with the first message if the validation layer said anything.
 void require_no_validation_messages();

@@ -70,8 +70,8 @@ private:
             records.add(std::span(words).first(with_p ? 4 : 2), &mask_);
         }
         Outputs outputs = run_standalone(device_, kernel, c, records);
-        if (std::ranges::find(outputs.unwritten, 1) != outputs.unwritten.end())
-            throw Error("{} wrote no result for some texels; gnomon check {} tells more", c.name, c.name);
+        if (const std::string complaint = outputs.complaint(); !complaint.empty())
+            throw Error("{}: {}; gnomon check {} tells more", c.name, complaint, c.name);
         return std::move(outputs.words);
     }
 

@@ -1,6 +1,6 @@
 // Which of the twelve cases a lit texel is, 0 if nothing around it differs.   [docs/revectorization.md 2.1]
 // Open ends come first (case 1 before 2 and 3), so that an open corridor one texel wide stays lit; a run's type counts only
-// along the axis that was walked, for across a BOTH both walks end at once.   [docs/revectorization.md A1, A2]
+// along the axis that was walked, for across a BOTH both walks end at once.   [docs/decisions.md A1, A2]
 #include "revectorize/sides.glslh"
 
 uint smsr_decision(uvec2 sides, ivec2 type, bvec2 dominant) {

@@ -10,6 +10,11 @@ namespace gnomon::glsl {
 
 Reflection reflect(const Spirv& words, std::string_view name) try {
     const spirv_cross::Compiler compiler(words);
+    for (const spv::Capability capability : compiler.get_declared_capabilities())
+        if (capability != spv::CapabilityShader && capability != spv::CapabilityMatrix)
+            throw CompileError(
+                "{}:1: needs SPIR-V capability {} (float64, int64, subgroups …), which not every device has",
+                name, static_cast<int>(capability));
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
     const auto refuse = [&](const auto& list, const char* kind) {
         if (!list.empty())

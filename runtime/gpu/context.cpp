@@ -11,14 +11,19 @@ namespace {
 
 std::atomic<bool> some_device_lost = false;
 
-std::uint32_t queue_family(VkPhysicalDevice device, const std::string& name) {
+struct QueueFamily {
+    std::uint32_t index, timestamp_bits;
+};
+
+QueueFamily queue_family(VkPhysicalDevice device, const std::string& name) {
     std::uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
     constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
     for (std::uint32_t i = 0; i < count; ++i)
-        if ((families[i].queueFlags & needed) == needed && families[i].timestampValidBits > 0) return i;
+        if ((families[i].queueFlags & needed) == needed && families[i].timestampValidBits > 0)
+            return {i, families[i].timestampValidBits};
     throw Error("{} has no queue that draws, computes and keeps time: choose another --device", name);
 }
 
@@ -81,7 +86,9 @@ Device::Device(const DeviceOptions& options) : context_(std::make_shared<Context
     if (c.properties.apiVersion < VK_API_VERSION_1_3)
         throw Error("{} offers Vulkan {}, 1.3 is needed: update its driver or choose another --device",
                     c.info.name, c.info.vulkan);
-    c.queue_family = queue_family(c.physical, c.info.name);
+    const QueueFamily family = queue_family(c.physical, c.info.name);
+    c.queue_family = family.index;
+    c.timestamp_bits = family.timestamp_bits;
 
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
@@ -147,23 +154,26 @@ double end_commands(Context& context, VkCommandBuffer commands) {
         submits[i].commandBufferCount = 1;
         submits[i].pCommandBuffers = &context.command_buffers[i];
     }
-    check(vkQueueSubmit(context.queue, 2, submits.data(), context.fence), "submitting work");
-    const auto limit = static_cast<std::uint64_t>(context.time_limit * 1e9);
-    const VkResult done = vkWaitForFences(context.device, 1, &context.fence, VK_TRUE, limit);
-    if (done == VK_TIMEOUT || done == VK_ERROR_DEVICE_LOST) {
-        context.lost = some_device_lost = true;
-        if (done == VK_TIMEOUT)
+    // Any of these may be told that the device was reset: a GPU's driver does so to kernels that never end.
+    const auto require = [&](VkResult result, const char* what) {
+        if (result == VK_TIMEOUT || result == VK_ERROR_DEVICE_LOST) context.lost = some_device_lost = true;
+        if (result == VK_TIMEOUT)
             throw KernelTimeout("did not end within {} s: does it loop for ever? (--time-limit allows more)",
                                 context.time_limit);
-        throw KernelTimeout("the device was lost while it ran: does it loop for ever?");
-    }
-    check(done, "waiting for the device");
+        if (result == VK_ERROR_DEVICE_LOST)
+            throw KernelTimeout("the device was lost while it ran: does it loop for ever?");
+        check(result, what);
+    };
+    require(vkQueueSubmit(context.queue, 2, submits.data(), context.fence), "submitting work");
+    const auto limit = static_cast<std::uint64_t>(context.time_limit * 1e9);
+    require(vkWaitForFences(context.device, 1, &context.fence, VK_TRUE, limit), "waiting for the device");
     check(vkResetFences(context.device, 1, &context.fence), "resetting the fence");
     std::array<std::uint64_t, 2> ticks{};
-    check(vkGetQueryPoolResults(context.device, context.timestamps, 0, 2, sizeof ticks, ticks.data(),
-                                sizeof ticks[0], VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-          "reading timestamps");
-    return static_cast<double>(ticks[1] - ticks[0]) *
+    require(vkGetQueryPoolResults(context.device, context.timestamps, 0, 2, sizeof ticks, ticks.data(),
+                                  sizeof ticks[0], VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+            "reading timestamps");
+    const std::uint64_t valid = ~std::uint64_t{0} >> (64 - context.timestamp_bits); // counters wrap
+    return static_cast<double>((ticks[1] - ticks[0]) & valid) *
            static_cast<double>(context.properties.limits.timestampPeriod);
 }
 

@@ -37,11 +37,13 @@ void open_lavapipe_only() {
     const std::filesystem::path folder =
         "/usr/share/vulkan/icd.d"; // where Debian's mesa-vulkan-drivers puts it
     std::error_code missing;
+    std::string files; // one per architecture: the loader passes over those it cannot open
     for (const auto& entry : std::filesystem::directory_iterator(folder, missing))
         if (entry.path().filename().string().starts_with("lvp_icd.")) {
-            setenv("VK_DRIVER_FILES", entry.path().c_str(), 1);
-            return;
+            if (!files.empty()) files += ':';
+            files += entry.path().string();
         }
+    if (!files.empty()) setenv("VK_DRIVER_FILES", files.c_str(), 1);
 }
 
 void load_vulkan_once() {

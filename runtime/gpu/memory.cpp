@@ -109,6 +109,13 @@ Buffer::~Buffer() = default;
 std::size_t Buffer::size() const { return impl_ ? impl_->size : 0; }
 
 Buffer Device::allocate(std::size_t bytes) {
+    const std::uint32_t range = context_->properties.limits.maxStorageBufferRange;
+    if (bytes > range)
+        throw Error("a buffer of {:.1f} MiB is more than {} binds ({:.1f} MiB); make the image or shadow map "
+                    "smaller, "
+                    "or take fewer samples",
+                    static_cast<double>(bytes) / (1 << 20), context_->info.name,
+                    static_cast<double>(range) / (1 << 20));
     // One memory for both sides where the device has it (lavapipe, integrated GPUs); else the device's own.
     Buffer buffer;
     buffer.impl_ = std::make_unique<Buffer::Impl>();

@@ -42,6 +42,7 @@ struct Context {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
+    std::uint32_t timestamp_bits = 64;
     VkCommandPool commands = VK_NULL_HANDLE;
     std::array<VkCommandBuffer, 2> command_buffers{}; ///< the first timestamp; the work
     VkQueryPool timestamps = VK_NULL_HANDLE;

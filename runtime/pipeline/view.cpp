@@ -189,13 +189,16 @@ Camera default_camera(const Box& box, float aspect) {
     }
     camera.position = box.centre() - distance * camera.direction;
     camera.near = 0.01f * diagonal;
-    camera.far = 3 * diagonal;
+    camera.far = std::max(3 * diagonal, distance + diagonal);
     return camera;
 }
 
 shared::Frame make_frame(const Camera& camera, const Light& light, const ViewSettings& settings,
                          const Box& box) {
     require_valid(camera, light, settings);
+    // Beyond, squares of lengths leave float32's range in the shaders.
+    if (const float diagonal = box.diagonal(); !(diagonal > 1e-6f && diagonal < 1e7f))
+        throw Error("the scene is {:g} across; between 1e-6 and 1e7 can be rendered: scale it", diagonal);
     shared::Frame frame{};
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     frame.camera = perspective(camera.position, axes_along(camera.direction), camera.fov, aspect, camera.near,

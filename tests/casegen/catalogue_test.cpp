@@ -14,9 +14,9 @@ namespace gnomon {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::error_of;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using testing::error_of;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::kernels_folder;
@@ -70,7 +70,8 @@ TEST(catalogue, entries_are_complete) {
             EXPECT_TRUE(c.reference.call) << c.name;
             EXPECT_LE(c.result.lower, c.result.upper) << c.name;
             for (const Parameter& p : c.parameters) {
-                EXPECT_FALSE(p.name.empty() || p.unit.empty() || p.meaning.empty()) << c.name << " " << p.name;
+                EXPECT_FALSE(p.name.empty() || p.unit.empty() || p.meaning.empty())
+                    << c.name << " " << p.name;
                 if (p.domain.choices.empty()) EXPECT_LE(p.domain.lower, p.domain.upper) << c.name;
             }
             if (c.number == 0) continue;
@@ -118,8 +119,9 @@ TEST(catalogue, generates_the_choice_of_cases) {
         EXPECT_THAT(text, HasSubstr(fmt::format("#include \"{}.glsl\"", c->name)));
         EXPECT_THAT(text, HasSubstr(fmt::format("case {}u: return {}(", c->number, function_name(*c))));
     }
-    EXPECT_THAT(text, HasSubstr("float smsr_case(uint number, float along_x, float along_y, vec2 p, uint side_x, "
-                                "uint side_y)"));
+    EXPECT_THAT(text,
+                HasSubstr("float smsr_case(uint number, float along_x, float along_y, vec2 p, uint side_x, "
+                          "uint side_y)"));
     EXPECT_THAT(text, HasSubstr("smsr_case_08(p, along_x, along_y, side_x, side_y)"));
     EXPECT_THAT(text, HasSubstr("return 1.0;"));
     EXPECT_FALSE(generated_sources().contains("revectorize/cases")); // nothing numbered there

@@ -144,9 +144,9 @@ TEST(judge, input_within_moves_all_float_inputs_and_no_others) {
         const std::uint32_t word = bits(result);
         return judge(c, arguments, std::span(&word, 1)).pass;
     };
-    EXPECT_TRUE(pass(0.5, 0.25, 0, 1.0f));   // both moved by 0.125
+    EXPECT_TRUE(pass(0.5, 0.25, 0, 1.0f));    // both moved by 0.125
     EXPECT_FALSE(pass(0.5, 0.1875, 0, 1.0f)); // too far for both
-    EXPECT_FALSE(pass(0.25, 0.25, 1, 0.0f)); // a smaller n would do, but whole numbers stand still
+    EXPECT_FALSE(pass(0.25, 0.25, 1, 0.0f));  // a smaller n would do, but whole numbers stand still
 }
 
 TEST(judge, a_nan_result_never_passes) {

@@ -14,8 +14,8 @@
 namespace gnomon {
 namespace {
 
-using testing::error_of;
 using ::testing::ElementsAre;
+using testing::error_of;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using testing::TemporaryFolder;
@@ -71,11 +71,12 @@ TEST(csv, every_float_comes_back_bit_by_bit) {
     const auto comes_back = [](std::uint32_t pattern) {
         return word(Scalar::float32, format_word(Scalar::float32, pattern)) == pattern;
     };
-    for (const float value : {0.0f, -0.0f, 1.0f, 0.1f, -1.0f / 3, std::numeric_limits<float>::denorm_min(),
-                              -std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::min(),
-                              std::nextafter(std::numeric_limits<float>::min(), 0.0f),
-                              std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest(),
-                              std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()})
+    for (const float value :
+         {0.0f, -0.0f, 1.0f, 0.1f, -1.0f / 3, std::numeric_limits<float>::denorm_min(),
+          -std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::min(),
+          std::nextafter(std::numeric_limits<float>::min(), 0.0f), std::numeric_limits<float>::max(),
+          std::numeric_limits<float>::lowest(), std::numeric_limits<float>::infinity(),
+          -std::numeric_limits<float>::infinity()})
         EXPECT_TRUE(comes_back(bits(value))) << value;
     Random random(1);
     for (int i = 0; i < 20000; ++i) {
@@ -98,8 +99,8 @@ TEST(csv, floats_are_read_as_written) {
 }
 
 TEST(csv, whole_numbers_come_back) {
-    for (const std::int32_t value : {0, 1, -1, 17, std::numeric_limits<std::int32_t>::min(),
-                                     std::numeric_limits<std::int32_t>::max()}) {
+    for (const std::int32_t value :
+         {0, 1, -1, 17, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()}) {
         const auto pattern = std::bit_cast<std::uint32_t>(value);
         EXPECT_EQ(word(Scalar::int32, format_word(Scalar::int32, pattern)), pattern);
     }
@@ -155,8 +156,9 @@ TEST(csv, bad_inputs_are_named_with_row_and_column) {
                 StartsWith("f.csv: row 1, column mask: row 2 has 1 texels"));
     EXPECT_THAT(input_error("smsr/number", "mask,texel_x,texel_y\n#x/..,0,0\n"),
                 HasSubstr("row 1, column 2 is 'x'"));
-    EXPECT_THAT(input_error("smsr/number", "mask,outside,texel_x,texel_y\n#,dark,0,0\n"),
-                AllOf(StartsWith("f.csv: row 1, column outside is \"dark\""), HasSubstr("clamp, lit or shadow")));
+    EXPECT_THAT(
+        input_error("smsr/number", "mask,outside,texel_x,texel_y\n#,dark,0,0\n"),
+        AllOf(StartsWith("f.csv: row 1, column outside is \"dark\""), HasSubstr("clamp, lit or shadow")));
     EXPECT_THAT(input_error("smsr/number", "mask,texel_x,texel_y\n#,0.5,0\n"),
                 StartsWith("f.csv: row 1, column texel_x is 0.5"));
 }

@@ -22,16 +22,11 @@ std::uint64_t hash_of(const std::vector<NamedMask>& corpus, const std::string& f
 // The same masks on every machine, compiler and thread: a finding is replayed from its seed.
 TEST(mask_families, golden_masks) {
     const std::map<std::string, std::uint64_t> golden{
-        {"half-planes", 0x1d06f2312181b079},
-        {"circles", 0xc5234341741a1e58},
-        {"thin-strips", 0x58015dec03705f45},
-        {"segments", 0x1a7af55c105837da},
-        {"rectangles", 0x1aed3c612bf505c2},
-        {"shapes", 0x608310982c3c2152},
-        {"combs", 0x66f7aae6e87eb6ee},
-        {"blobs", 0x35444957b84608ae},
-        {"mazes", 0xc8865c9253f5cc0e},
-        {"noise", 0xb0bd56226f8270bc},
+        {"half-planes", 0x1d06f2312181b079},   {"circles", 0xc5234341741a1e58},
+        {"thin-strips", 0x58015dec03705f45},   {"segments", 0x1a7af55c105837da},
+        {"rectangles", 0x1aed3c612bf505c2},    {"shapes", 0x608310982c3c2152},
+        {"combs", 0x66f7aae6e87eb6ee},         {"blobs", 0x35444957b84608ae},
+        {"mazes", 0xc8865c9253f5cc0e},         {"noise", 0xb0bd56226f8270bc},
         {"single-texels", 0x2d627c0002631336},
     };
     const std::vector<NamedMask> corpus = mask_corpus(1, 8, 32);
@@ -97,7 +92,8 @@ TEST(mask_families, work_at_other_sizes) {
     for (const int size : {8, 9, 64})
         for (const NamedMask& named : mask_corpus(3, 4, size)) {
             ASSERT_EQ(named.mask.width, size) << named.name;
-            ASSERT_EQ(named.mask.texels.size(), static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+            ASSERT_EQ(named.mask.texels.size(),
+                      static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
         }
 }
 

@@ -47,8 +47,12 @@ TEST(mask, last_line_end_is_optional_and_carriage_returns_are_blanks) {
 
 TEST(mask, outside_answers_as_it_was_told) {
     Mask mask = parse_mask("#.\n..", '\n', "m");
-    for (const auto& [x, y, nearest] : {std::tuple(-1, 0, false), {0, -1, false}, {-9, -9, false},
-                                        {2, 0, true}, {0, 2, true}, {1000000, -1000000, true}}) {
+    for (const auto& [x, y, nearest] : {std::tuple(-1, 0, false),
+                                        {0, -1, false},
+                                        {-9, -9, false},
+                                        {2, 0, true},
+                                        {0, 2, true},
+                                        {1000000, -1000000, true}}) {
         mask.outside = Outside::clamp;
         EXPECT_EQ(mask.lit(x, y), nearest) << x << "," << y;
         mask.outside = Outside::lit;
@@ -60,8 +64,8 @@ TEST(mask, outside_answers_as_it_was_told) {
 }
 
 TEST(mask, bad_text_is_named_with_row_and_column) {
-    EXPECT_THAT(parse_error("##\n#\n"), AllOf(StartsWith("m.txt: "), HasSubstr("row 2 has 1 texels"),
-                                              HasSubstr("the first has 2")));
+    EXPECT_THAT(parse_error("##\n#\n"),
+                AllOf(StartsWith("m.txt: "), HasSubstr("row 2 has 1 texels"), HasSubstr("the first has 2")));
     EXPECT_THAT(parse_error("##\n###\n"), HasSubstr("row 2 has 3"));
     EXPECT_THAT(parse_error("##\n\n##\n"), HasSubstr("row 2 has 0"));
     EXPECT_THAT(parse_error("..\n.o\n"), AllOf(StartsWith("m.txt: "), HasSubstr("row 2, column 2 is 'o'")));

@@ -33,7 +33,8 @@ std::uint64_t hash_of(const Sampler::Sample& sample, std::uint64_t state) {
 }
 
 bool same(const Sampler::Sample& a, const Sampler::Sample& b) {
-    return a.words == b.words && (a.mask == nullptr) == (b.mask == nullptr) && (!a.mask || *a.mask == *b.mask);
+    return a.words == b.words && (a.mask == nullptr) == (b.mask == nullptr) &&
+           (!a.mask || *a.mask == *b.mask);
 }
 
 TEST(sampling, a_sample_does_not_depend_on_what_else_is_drawn) {
@@ -70,7 +71,8 @@ TEST(sampling, golden_samples) {
                              "revectorize/shadow_test", "revectorize/walk"}) {
         const Sampler sampler(find_case(name), 1, pool());
         std::uint64_t state = hash("");
-        for (std::size_t i = 0; i < sampler.fixed_count() + 1000; ++i) state = hash_of(sampler.draw(i), state);
+        for (std::size_t i = 0; i < sampler.fixed_count() + 1000; ++i)
+            state = hash_of(sampler.draw(i), state);
         EXPECT_TRUE(golden.contains(name) && golden.at(name) == state)
             << fmt::format("{{\"{}\", {:#018x}}},", name, state);
     }
@@ -103,8 +105,8 @@ TEST(sampling, every_float_input_meets_every_hostile_value) {
                 const auto lower = static_cast<float>(c->parameters[p].domain.lower);
                 const auto upper = static_cast<float>(c->parameters[p].domain.upper);
                 for (const float value :
-                     {0.0f, -0.0f, FLT_TRUE_MIN, FLT_MIN, FLT_MAX, -FLT_MAX, infinity, -infinity, lower, upper,
-                      std::nextafter(lower, -infinity), std::nextafter(upper, infinity)})
+                     {0.0f, -0.0f, FLT_TRUE_MIN, FLT_MIN, FLT_MAX, -FLT_MAX, infinity, -infinity, lower,
+                      upper, std::nextafter(lower, -infinity), std::nextafter(upper, infinity)})
                     EXPECT_TRUE(seen[word].contains(std::bit_cast<std::uint32_t>(value)))
                         << c->name << " " << c->parameters[p].name << " never is " << value;
                 const bool has_nan = std::ranges::any_of(
@@ -165,13 +167,14 @@ TEST(sampling, pool_entries_are_edges_of_their_masks) {
 
 TEST(sampling, pins_come_first) {
     const TemporaryFolder folder;
-    const auto pins = folder.write("p.csv", "# found once\np_x,p_y,along_x\n0.125,0x1p-2,0.375\nnan,-0,inf\n");
+    const auto pins =
+        folder.write("p.csv", "# found once\np_x,p_y,along_x\n0.125,0x1p-2,0.375\nnan,-0,inf\n");
     const Case& c = find_case("smsr/case_09");
     const Sampler without(c, 1, pool()), with(c, 1, pool(), pins);
     EXPECT_EQ(with.fixed_count(), without.fixed_count() + 2);
-    EXPECT_EQ(with.draw(0).words, (std::vector{std::bit_cast<std::uint32_t>(0.125f),
-                                               std::bit_cast<std::uint32_t>(0.25f),
-                                               std::bit_cast<std::uint32_t>(0.375f)}));
+    EXPECT_EQ(with.draw(0).words,
+              (std::vector{std::bit_cast<std::uint32_t>(0.125f), std::bit_cast<std::uint32_t>(0.25f),
+                           std::bit_cast<std::uint32_t>(0.375f)}));
     EXPECT_EQ(with.draw(1).words[1], 0x80000000u);
     EXPECT_EQ(with.draw(2).words, without.draw(0).words); // then the hostile ones
 }

@@ -12,9 +12,9 @@
 namespace gnomon {
 namespace {
 
+using testing::BrokenKernels;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
-using testing::BrokenKernels;
 using testing::Ran;
 using testing::run_gnomon;
 using testing::run_shell;
@@ -58,11 +58,12 @@ TEST_F(failure_report, text_has_call_got_want_allowed_and_a_command_that_shows_t
     const Ran ran = check(broken, "smsr/case_09", "text");
     EXPECT_EQ(ran.exit_code, 1);
     EXPECT_EQ(ran.err, "");
-    static const std::regex pattern(R"(FAIL smsr/case_09 \(wrong\)\n)"
-                                    R"(  smsr_case_09\(p = vec2\(-?0x\S+p\S+, -?0x\S+p\S+\), along_x = -?0x\S+p\S+\)\n)"
-                                    R"(  got (0x\S+), want (0x\S+), allowed input within 5.96e-08\n)"
-                                    R"(  (gnomon eval smsr/case_09 .*)\n)"
-                                    R"(  \d+ of 3000 samples fail; seed 0x[0-9a-f]+\n)");
+    static const std::regex pattern(
+        R"(FAIL smsr/case_09 \(wrong\)\n)"
+        R"(  smsr_case_09\(p = vec2\(-?0x\S+p\S+, -?0x\S+p\S+\), along_x = -?0x\S+p\S+\)\n)"
+        R"(  got (0x\S+), want (0x\S+), allowed input within 5.96e-08\n)"
+        R"(  (gnomon eval smsr/case_09 .*)\n)"
+        R"(  \d+ of 3000 samples fail; seed 0x[0-9a-f]+\n)");
     std::smatch match;
     ASSERT_TRUE(std::regex_search(ran.out, match, pattern)) << ran.out;
     EXPECT_NE(match[1], match[2]);
@@ -76,8 +77,9 @@ TEST_F(failure_report, a_failure_on_a_mask_is_replayed_with_its_mask) {
     EXPECT_EQ(ran.exit_code, 1);
     const nlohmann::json report = entry(ran);
     EXPECT_EQ(report["verdict"], "wrong");
-    EXPECT_THAT(report["worst_call"].get<std::string>(),
-                AllOf(HasSubstr("revectorize_traversal(texel = ivec2("), HasSubstr("on a mask of 32 x 32, ")));
+    EXPECT_THAT(
+        report["worst_call"].get<std::string>(),
+        AllOf(HasSubstr("revectorize_traversal(texel = ivec2("), HasSubstr("on a mask of 32 x 32, ")));
     // "ivec4(1, 2, -3, 4)" to its four numbers, behind those of the result the reference's.
     std::vector<std::string> numbers;
     for (const char* field : {"got", "want"}) {
@@ -100,7 +102,8 @@ TEST_F(failure_report, nan_is_shown_and_replayed) {
 TEST_F(failure_report, outside_the_domain_the_range_is_what_was_wanted) {
     const BrokenKernels broken("out_of_range");
     const Ran ran = check(broken, "smsr/case_01", "text");
-    EXPECT_THAT(ran.out, HasSubstr("got 0x1p+1, want anything from 0 to 1 (input outside the domain), allowed exact"));
+    EXPECT_THAT(ran.out,
+                HasSubstr("got 0x1p+1, want anything from 0 to 1 (input outside the domain), allowed exact"));
     const nlohmann::json report = entry(check(broken, "smsr/case_01", "json"));
     EXPECT_FALSE(report.contains("want"));
     expect_replay(report["replay"], {"0x1p+1", "undefined"});
@@ -110,7 +113,8 @@ TEST_F(failure_report, a_result_that_was_not_written_is_nothing) {
     const BrokenKernels broken("never_written");
     const Ran ran = check(broken, "smsr/case_01", "text");
     EXPECT_EQ(ran.exit_code, 1);
-    EXPECT_THAT(ran.out, AllOf(HasSubstr("FAIL smsr/case_01 (unwritten)"), HasSubstr("got nothing, want 0x1p+0")));
+    EXPECT_THAT(ran.out,
+                AllOf(HasSubstr("FAIL smsr/case_01 (unwritten)"), HasSubstr("got nothing, want 0x1p+0")));
 }
 
 TEST_F(failure_report, a_compile_error_is_a_failure_with_its_line) {
@@ -134,8 +138,9 @@ TEST_F(failure_report, eval_refuses_a_result_that_was_not_written) {
     const testing::TemporaryFolder folder;
     std::string rows = "p_x,p_y\n";
     for (int i = 0; i < 150; ++i) rows += "0.5,0.5\n";
-    const Ran ran = run_gnomon({"eval", "smsr/case_01", "--kernels", broken.folder().string(), "--in",
-                                folder.write("in.csv", rows).string(), "--out", (folder.path() / "out.csv").string()});
+    const Ran ran =
+        run_gnomon({"eval", "smsr/case_01", "--kernels", broken.folder().string(), "--in",
+                    folder.write("in.csv", rows).string(), "--out", (folder.path() / "out.csv").string()});
     EXPECT_EQ(ran.exit_code, 2);
     EXPECT_THAT(ran.err, AllOf(HasSubstr("gnomon: "), HasSubstr("row 101")));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "out.csv"));

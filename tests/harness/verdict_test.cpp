@@ -15,9 +15,9 @@
 namespace gnomon {
 namespace {
 
+using testing::BrokenKernels;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using testing::BrokenKernels;
 
 CheckReport check_in(const std::filesystem::path& kernels, const std::string& kernel) {
     CheckOptions options;
@@ -196,16 +196,16 @@ protected:
         // Offset of the results: behind as many guard words as the generated main() leaves.
         const std::string source = standalone_source(c);
         const std::string guard = source.substr(source.find("results[") + 8);
-        const std::string text =
-            "layout(local_size_x = 64) in;\n"
-            "layout(std430, binding = 0) readonly buffer Inputs { uvec4 inputs[]; };\n"
-            "layout(std430, binding = 1) buffer Results { uint results[]; };\n"
-            "layout(push_constant) uniform Constants { uint count; };\n"
-            "void main() {\n"
-            "    uint i = gl_GlobalInvocationID.x;\n"
-            "    if (i >= count) return;\n"
-            "    uint ignored = inputs[i].x;\n"
-            "    uint at = " + guard.substr(0, guard.find(' ')) + " + i;\n" + statements + "}\n";
+        const std::string text = "layout(local_size_x = 64) in;\n"
+                                 "layout(std430, binding = 0) readonly buffer Inputs { uvec4 inputs[]; };\n"
+                                 "layout(std430, binding = 1) buffer Results { uint results[]; };\n"
+                                 "layout(push_constant) uniform Constants { uint count; };\n"
+                                 "void main() {\n"
+                                 "    uint i = gl_GlobalInvocationID.x;\n"
+                                 "    if (i >= count) return;\n"
+                                 "    uint ignored = inputs[i].x;\n"
+                                 "    uint at = " +
+                                 guard.substr(0, guard.find(' ')) + " + i;\n" + statements + "}\n";
         const glsl::Sources sources = kernel_sources(testing::kernels_folder());
         gpu::Kernel kernel = testing::shared_device().kernel(
             glsl::compile(sources, text, "by hand", glsl::Stage::compute), "by hand");

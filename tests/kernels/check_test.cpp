@@ -71,13 +71,12 @@ TEST_P(every_kernel, gives_the_same_bits_in_every_run) {
             << c.name << " sample " << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(catalogue, every_kernel, ::testing::ValuesIn(find_cases("")), [](const auto& instance) {
-    return function_name(*instance.param);
-});
+INSTANTIATE_TEST_SUITE_P(catalogue, every_kernel, ::testing::ValuesIn(find_cases("")),
+                         [](const auto& instance) { return function_name(*instance.param); });
 
 bool same(const Finding& a, const Finding& b) {
-    return a.index == b.index && a.input == b.input && a.mask == b.mask && a.got == b.got && a.want == b.want &&
-           a.in_domain == b.in_domain && a.error == b.error;
+    return a.index == b.index && a.input == b.input && a.mask == b.mask && a.got == b.got &&
+           a.want == b.want && a.in_domain == b.in_domain && a.error == b.error;
 }
 
 /// All but the time.

@@ -64,7 +64,7 @@ Words together(const Words& first, const Words& second) {
 
 Texels every_texel(const std::vector<NamedMask>& masks, int beyond) {
     // Points on a border of light and shadow and beside one; the last column of a texel and its first.
-    constexpr float points[][2] = {{0.5f, 0.5f},   {0.1f, 0.7f},  {0.75f, 0.25f}, {0.0f, 1.0f},
+    constexpr float points[][2] = {{0.5f, 0.5f},   {0.1f, 0.7f},  {0.75f, 0.25f},  {0.0f, 1.0f},
                                    {0.99f, 0.33f}, {0.3f, 0.01f}, {0.625f, 0.875f}};
     Texels texels;
     Random random(61);
@@ -118,9 +118,9 @@ protected:
             ASSERT_LE(decided, 12u);
             const std::uint32_t composed = !lit ? bits(0.0f) : decided == 0 ? bits(1.0f) : cases[decided][i];
             ASSERT_EQ(number[i], decided) << x << "," << y << " of\n" << format_mask(*place.mask, '\n');
-            ASSERT_EQ(visibility[i], composed) << x << "," << y << " at " << place.px << "," << place.py
-                                               << ", case " << decided << ", of\n"
-                                               << format_mask(*place.mask, '\n');
+            ASSERT_EQ(visibility[i], composed)
+                << x << "," << y << " at " << place.px << "," << place.py << ", case " << decided << ", of\n"
+                << format_mask(*place.mask, '\n');
             ++met[lit ? decided : 99];
         }
         for (unsigned n = 0; n <= 12; ++n) EXPECT_GT(met[n], 0u) << "case " << n << " was never met";
@@ -154,8 +154,7 @@ TEST(decision_kernel, agrees_with_the_conditions_on_every_input) {
     for (std::size_t i = 0; i < records.size(); ++i) {
         const Arguments with = arguments(c, records.input(i), nullptr);
         if (!in_domain(c, with)) continue;
-        EXPECT_EQ(numbers[i], static_cast<std::uint32_t>(c.reference.call(with)[0]))
-            << "input " << i;
+        EXPECT_EQ(numbers[i], static_cast<std::uint32_t>(c.reference.call(with)[0])) << "input " << i;
         ++met[numbers[i]];
     }
     EXPECT_EQ(met.size(), 13u);

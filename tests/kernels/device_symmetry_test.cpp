@@ -17,7 +17,8 @@ using testing::Symmetry;
 class device_symmetry : public ::testing::TestWithParam<Symmetry> {};
 
 void add(Records& records, const Mask& mask, glm::ivec2 texel, const glm::dvec2* p) {
-    std::vector<std::uint32_t> words{std::bit_cast<std::uint32_t>(texel.x), std::bit_cast<std::uint32_t>(texel.y)};
+    std::vector<std::uint32_t> words{std::bit_cast<std::uint32_t>(texel.x),
+                                     std::bit_cast<std::uint32_t>(texel.y)};
     if (p)
         for (const double component : {p->x, p->y})
             words.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(component)));

@@ -175,7 +175,9 @@ TEST(FloatingQuad, CastsTheShadowOfItsCorners) {
                 if (there.distance > 1e-3) ASSERT_EQ(truth[i] == 0, there.inside) << x << ' ' << y;
 
                 const glm::dvec2 texels(light.project(point));
-                const auto beyond = [&](double v) { return v < 0 || v >= view.settings.shadow_map; };
+                const auto beyond = [side = view.settings.shadow_map](double v) {
+                    return v < 0 || v >= side;
+                };
                 if (beyond(texels.x) || beyond(texels.y)) {
                     ASSERT_EQ(plain[i], 1.0f) << x << ' ' << y;
                     continue;
@@ -200,6 +202,58 @@ TEST(FloatingQuad, CastsTheShadowOfItsCorners) {
         EXPECT_GT(shadowed, 100);
         EXPECT_GT(centres, 3000);
         EXPECT_GT(cut, 10);
+    }
+}
+
+Scene square_above_ground(float height) {
+    Scene scene = ground(6);
+    add_quad(scene, {glm::vec3(-1.5f, height, -1.5f), glm::vec3(-1.5f, height, 1.5f),
+                     glm::vec3(1.5f, height, 1.5f), glm::vec3(1.5f, height, -1.5f)});
+    return scene;
+}
+
+struct Shadowed {
+    std::size_t truly, found;
+};
+Shadowed count_shadowed(const Scene& scene, const View& view) {
+    const auto renderer = make_renderer(scene, view);
+    const PixelCounts counts =
+        count_pixels(renderer->surfaces(), visibility(*renderer, nsm), visibility(*renderer, raytraced));
+    return {counts.truly_shadowed, counts.truly_shadowed - counts.wrong_lit + counts.wrong_shadowed};
+}
+
+TEST(Bias, IsADistanceAlongTheLight) {
+    const Scene scene = square_above_ground(1);
+    View view = default_view(scene, 160, 120, 256);
+    view.light.direction = {0.8f, -1, 0};
+    const float apart = glm::length(view.light.direction); // of square and ground, along the light
+    for (const bool lamp : {false, true}) {
+        SCOPED_TRACE(lamp ? "lamp" : "sun");
+        if (lamp) view.light.position = glm::vec3(0, 1, 0) - 20.0f * view.light.direction;
+        view.settings.bias = 0.8f * apart;
+        const Shadowed within = count_shadowed(scene, view);
+        EXPECT_GT(within.truly, 300u);
+        EXPECT_NEAR(static_cast<double>(within.found), static_cast<double>(within.truly), 60);
+        view.settings.bias = 1.25f * apart;
+        EXPECT_EQ(count_shadowed(scene, view).found, 0u);
+    }
+}
+
+/// Left to the program, the bias loses no shadow that is worth a few texels.
+TEST(Bias, IsSmallByDefault) {
+    const Scene scene = square_above_ground(0.05f);
+    View view = default_view(scene, 160, 120, 2048);
+    view.light.direction = {0.8f, -1, 0};
+    view.camera.position = {3, 1, 0}; // above the strip of shadow beside the square
+    view.camera.direction = {-1.5f, -1, 0};
+    view.camera.fov = 10;
+    view.camera.near = 0.1f;
+    for (const bool lamp : {false, true}) {
+        if (lamp) view.light.position = -4.0f * view.light.direction;
+        const Shadowed shadowed = count_shadowed(scene, view);
+        EXPECT_GT(shadowed.truly, 300u);
+        EXPECT_GT(shadowed.found, shadowed.truly * 3 / 4);
+        EXPECT_LT(shadowed.found, shadowed.truly * 5 / 4);
     }
 }
 

@@ -10,7 +10,9 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <map>
 
 namespace gnomon::testing {
@@ -99,6 +101,60 @@ std::map<unsigned, std::size_t> compare(const View& view) {
 void expect_all_cases(const std::map<unsigned, std::size_t>& counts) {
     for (unsigned number = 0; number <= 12; ++number)
         EXPECT_TRUE(counts.contains(number)) << "no pixel is of case " << number;
+}
+
+/// The window of a pixel, worked out here from the shadow map, the pixel's plane and the bias; beyond the map
+/// the nearest texel answers.
+void expect_shadow_tests(const View& view) {
+    const Scene scene = demo_scene();
+    const auto renderer = make_renderer(scene, view);
+    const shared::Frame frame = make_frame(view.camera, view.light, view.settings, scene.bounds());
+    const std::vector<float> depths = renderer->shadow_map();
+    const double near = frame.range.x, far = frame.range.y, bias = frame.range.z;
+    const int side = view.settings.shadow_map;
+    std::vector<std::uint32_t> pixels;
+    for (const std::uint32_t pixel : asked_pixels(*renderer, view))
+        if (pixel % 41 == 0) pixels.push_back(pixel);
+    std::size_t beyond = 0, compared = 0, differing = 0, shadowed = 0;
+    for (const auto captures = renderer->capture(pixels); const Capture& capture : captures) {
+        const shared::Receiver& receiver =
+            renderer->receivers()[pixels[static_cast<std::size_t>(&capture - captures.data())]];
+        for (int n = 0; n < window * window; ++n) {
+            const glm::ivec2 there = capture.texel + glm::ivec2(n % window, n / window) - Capture::radius;
+            const glm::ivec2 texel = glm::clamp(there, glm::ivec2(0), glm::ivec2(side - 1));
+            const glm::dvec2 offset = glm::dvec2(texel) + 0.5 - glm::dvec2(receiver.map.x, receiver.map.y);
+            const double slope = glm::dot(glm::dvec2(receiver.slope.x, receiver.slope.y), offset);
+            double depth = static_cast<double>(receiver.map.z) + (view.settings.receiver_plane ? slope : 0);
+            if (view.light.position) depth = depth > 0 ? (1 / depth - near) / (far - near) : 1;
+            depth = std::min(depth, 1.0);
+            const double margin =
+                static_cast<double>(depths[static_cast<std::size_t>(texel.y * side + texel.x)]) - depth +
+                bias;
+            if (std::abs(margin) < 1e-5) continue;
+            ++compared;
+            beyond += there != texel ? 1 : 0;
+            shadowed += margin < 0 ? 1 : 0;
+            differing += (capture.lit[static_cast<std::size_t>(n)] != 0) != (margin > 0) ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(differing, 0u) << "of " << compared;
+    EXPECT_GT(compared, 300000u);
+    EXPECT_GT(beyond, 10000u);
+    EXPECT_GT(shadowed, 10000u);
+}
+
+TEST(Capture, HoldsTheShadowTestOfEveryTexelAround) {
+    for (View view : {demo_view(160, 120, 64), demo_view_with_lamp(160, 120, 64)})
+        for (const bool plane : {true, false}) {
+            view.settings.receiver_plane = plane;
+            view.settings.bias = plane ? 0 : 0.03f;
+            expect_shadow_tests(view);
+        }
+}
+
+TEST(Capture, OfNoPixelIsEmpty) {
+    const Scene scene = demo_scene();
+    EXPECT_TRUE(make_renderer(scene, demo_view(16, 12, 16))->capture({}).empty());
 }
 
 TEST(PipelineEqualsStandalone, WithADirectionalLight) { expect_all_cases(compare(demo_view(320, 240, 256))); }

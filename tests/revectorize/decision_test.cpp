@@ -45,8 +45,8 @@ TEST(decision, exactly_one_case_applies_to_every_edge) {
         for (const Case* c : testing::smsr_cases())
             if (c->applies(edge)) ++applying, number = c->number;
         const bool is_edge = edge.sides != glm::uvec2(neither);
-        EXPECT_EQ(applying, is_edge ? 1 : 0) << "sides " << edge.sides.x << edge.sides.y << " types "
-                                             << edge.type.x << edge.type.y;
+        EXPECT_EQ(applying, is_edge ? 1 : 0)
+            << "sides " << edge.sides.x << edge.sides.y << " types " << edge.type.x << edge.type.y;
         EXPECT_EQ(number, number_by_list(edge));
         ++edges_of[number];
     }

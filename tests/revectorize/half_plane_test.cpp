@@ -1,4 +1,4 @@
-// SMSR against the line that a half-plane's shadow has. docs/revectorization.md 6.2
+// SMSR against the line that a half-plane's shadow has. docs/revectorization.md 3.2
 //
 // The edge band is every texel, lit or shadowed, with a neighbour on one of its four sides that differs: two
 // texels high for a line flatter than 45 degrees. All areas are fractions of it.
@@ -85,8 +85,8 @@ Misclassified mean_over_orientations(double slope) {
 }
 
 TEST(half_planes, smsr_straightens_the_edge_and_moves_it_half_a_texel_into_the_light) {
-    constexpr std::array slopes{1 / 32.0, 1 / 16.0, 0.1,     1 / 8.0, 1 / 6.0, 0.2, 0.25,    0.3,
-                                1 / 3.0,  0.4,      1 / 2.0, 0.6,     2 / 3.0, 0.75, 0.9, 1.0};
+    constexpr std::array slopes{1 / 32.0, 1 / 16.0, 0.1,     1 / 8.0, 1 / 6.0, 0.2,  0.25, 0.3,
+                                1 / 3.0,  0.4,      1 / 2.0, 0.6,     2 / 3.0, 0.75, 0.9,  1.0};
     Misclassified mean;
     fmt::print("slope   hard test   SMSR   SMSR against the moved line   (% of the edge band)\n");
     for (const double slope : slopes) {

@@ -13,9 +13,9 @@
 namespace gnomon {
 namespace {
 
-using testing::SmsrChain;
 using glm::dvec2;
 using glm::ivec2;
+using testing::SmsrChain;
 
 /// A point lies on the border of light and shadow where L q = k + c for a whole k: the position along a run
 /// of L texels equals the distance from the side. There rounding decides, so that points of which none is

@@ -25,7 +25,8 @@ using Clock = std::chrono::steady_clock;
 class Stream {
 public:
     explicit Stream(const char* what)
-        : path_((fs::path(::testing::TempDir()) / fmt::format("gnomon-child-{}-{}", getpid(), what)).string()),
+        : path_(
+              (fs::path(::testing::TempDir()) / fmt::format("gnomon-child-{}-{}", getpid(), what)).string()),
           handle_(open(path_.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0600)) {}
     ~Stream() {
         close(handle_);

@@ -37,7 +37,8 @@ double smsr_by_cases(const reference::Edge& edge, glm::dvec2 p) {
         const int components = find_fact(c->parameters[i].name)(facts, numbers);
         EXPECT_EQ(components, c->reference.parameters[i].components)
             << c->name << " needs " << c->parameters[i].name << ", which this edge does not have";
-        std::copy_n(numbers.begin(), components, arguments.numbers.begin() + static_cast<std::ptrdiff_t>(word));
+        std::copy_n(numbers.begin(), components,
+                    arguments.numbers.begin() + static_cast<std::ptrdiff_t>(word));
         word += static_cast<std::size_t>(components);
     }
     return c->reference.call(arguments)[0];

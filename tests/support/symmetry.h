@@ -42,11 +42,15 @@ inline const Symmetry symmetries[] = {
     {"mirrored_x", mirrored_x,
      [](const Mask& mask, glm::ivec2 t) { return glm::ivec2(mask.width - 1 - t.x, t.y); },
      [](glm::dvec2 p) { return glm::dvec2(1 - p.x, p.y); },
-     [](unsigned number, glm::uvec2) { return detail::exchange(number, {{11, 12}}); }},
+     [](unsigned number, glm::uvec2) {
+         return detail::exchange(number, {{11, 12}});
+     }},
     {"mirrored_y", mirrored_y,
      [](const Mask& mask, glm::ivec2 t) { return glm::ivec2(t.x, mask.height - 1 - t.y); },
      [](glm::dvec2 p) { return glm::dvec2(p.x, 1 - p.y); },
-     [](unsigned number, glm::uvec2) { return detail::exchange(number, {{6, 7}, {9, 10}}); }},
+     [](unsigned number, glm::uvec2) {
+         return detail::exchange(number, {{6, 7}, {9, 10}});
+     }},
 };
 
 } // namespace gnomon::testing
