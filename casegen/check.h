@@ -58,9 +58,9 @@ struct CheckReport {
 };
 
 /// Reports in the order of `cases`, the same whatever the number of jobs (but for `nanoseconds`). `done` is
-/// called from worker threads, one at a time, with the number of kernels that are finished. A kernel that
-/// fails does not stop the others. Throws Error for what concerns all of them: no device, a malformed file of
-/// pins.
+/// called from worker threads, one at a time, with the number of samples judged so far, of all kernels
+/// together. A kernel that fails does not stop the others. Throws Error for what concerns all of them: no
+/// such folder, no device, a malformed file of pins.
 std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOptions& options,
                                const std::function<void(std::size_t)>& done = {});
 

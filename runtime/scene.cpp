@@ -238,6 +238,7 @@ Scene load_scene(const std::filesystem::path& path) {
     if (kind == ".ply") precheck_ply(path, bytes);
     if (kind == ".obj") precheck_obj(path, bytes);
     if (kind == ".glb") precheck_glb(path, bytes);
+    if (kind == ".gltf") precheck_gltf(path, bytes);
 
     Assimp::Importer importer;
     const aiScene& imported = import(importer, path);

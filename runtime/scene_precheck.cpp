@@ -2,6 +2,8 @@
 
 #include "runtime/error.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -343,7 +345,49 @@ void precheck_glb(const std::filesystem::path& path, std::string_view bytes) {
         if (left < chunk_header || number_at(at) > left - chunk_header)
             throw Error("'{}' is cut short or damaged: the chunk at byte {} reaches past the end",
                         path.string(), at);
+        if (at == file_header) precheck_gltf(path, bytes.substr(at + chunk_header, number_at(at)));
         at += chunk_header + number_at(at);
+    }
+}
+
+void precheck_gltf(const std::filesystem::path& path, std::string_view json) {
+    constexpr std::size_t deepest = 500;
+    std::size_t depth = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (in_string && c == '\\')
+            ++i; // whatever follows is part of the string
+        else if (c == '"')
+            in_string = !in_string;
+        else if (!in_string && (c == '[' || c == '{'))
+            ++depth;
+        else if (!in_string && (c == ']' || c == '}') && depth > 0)
+            --depth;
+        if (depth > deepest) throw Error("'{}' nests its JSON deeper than {} levels", path.string(), deepest);
+    }
+    const nlohmann::json document = nlohmann::json::parse(json, nullptr, false);
+    if (!document.is_object() || !document.contains("nodes") || !document["nodes"].is_array()) return;
+    // Levels of the node tree, from all nodes at once: a node may be dropped once no other has it as a child.
+    const nlohmann::json& nodes = document["nodes"];
+    std::vector<std::uint8_t> here(nodes.size(), 1);
+    for (std::size_t level = 0;; ++level) {
+        if (level > deepest)
+            throw Error("'{}' nests its nodes deeper than {} levels, or in a circle", path.string(), deepest);
+        std::vector<std::uint8_t> below(nodes.size(), 0);
+        bool any = false;
+        for (std::size_t node = 0; node < nodes.size(); ++node) {
+            if (here[node] == 0 || !nodes[node].is_object()) continue;
+            const auto children = nodes[node].find("children");
+            if (children == nodes[node].end() || !children->is_array()) continue;
+            for (const nlohmann::json& child : *children)
+                if (child.is_number_unsigned() && child.get<std::size_t>() < nodes.size()) {
+                    below[child.get<std::size_t>()] = 1;
+                    any = true;
+                }
+        }
+        if (!any) return;
+        here = std::move(below);
     }
 }
 

@@ -19,7 +19,12 @@ void precheck_ply(const std::filesystem::path& path, std::string_view bytes);
 void precheck_obj(const std::filesystem::path& path, std::string_view bytes);
 
 /// Reads the chunk sizes of a binary glTF file. Throws Error naming the file if one reaches past its end:
-/// Assimp allocates whatever they say.
+/// Assimp allocates whatever they say. Then checks its JSON as precheck_gltf does.
 void precheck_glb(const std::filesystem::path& path, std::string_view bytes);
+
+/// Assimp follows nested JSON and nested nodes by recursion: throws Error naming the file if either is deeper
+/// than 500 levels, or if a node is its own ancestor. JSON that does not parse is left to Assimp's own
+/// message.
+void precheck_gltf(const std::filesystem::path& path, std::string_view json);
 
 } // namespace gnomon

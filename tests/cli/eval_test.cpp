@@ -56,7 +56,7 @@ TEST(eval, vectors_have_a_column_per_component) {
               "..#/###,lit,0,0,0,2,-1,2,-1,1,-1,2,-1,1\n");
     EXPECT_EQ(run_well({"eval", "revectorize/dominance", "--at", "#../..#/.##,shadow,1,1,2,2"}).out,
               "mask,outside,texel_x,texel_y,sides_x,sides_y,result_x,result_y\n"
-              "#../..#/.##,shadow,1,1,2,2,0,0\n");
+              "#../..#/.##,shadow,1,1,2,2,1,1\n");
 }
 
 TEST(eval, many_rows_keep_their_order) {

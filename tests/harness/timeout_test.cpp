@@ -32,7 +32,8 @@ TEST_P(endless_kernel, is_a_timeout_and_the_others_are_still_checked) {
     EXPECT_EQ(ran.exit_code, 1) << ran.err;
     EXPECT_GE(ran.seconds, 1);
     std::map<std::string, std::string> verdicts;
-    for (const nlohmann::json& entry : nlohmann::json::parse(ran.out)["kernels"]) {
+    const nlohmann::json report = nlohmann::json::parse(ran.out);
+    for (const nlohmann::json& entry : report["kernels"]) {
         verdicts[entry["kernel"]] = entry["verdict"];
         if (entry["verdict"] == "timeout")
             EXPECT_THAT(entry["message"].get<std::string>(),

@@ -139,7 +139,7 @@ void expect_shadow_tests(const View& view) {
     }
     EXPECT_EQ(differing, 0u) << "of " << compared;
     EXPECT_GT(compared, 300000u);
-    EXPECT_GT(beyond, 10000u);
+    EXPECT_GT(beyond, 3000u);
     EXPECT_GT(shadowed, 10000u);
 }
 

@@ -344,5 +344,23 @@ TEST(Scene, ObjOfOtherHabitsIsRead) {
     EXPECT_EQ(scene.bounds().upper, glm::vec3(1, 1, 0));
 }
 
+TEST(Scene, NestingThatWouldExhaustTheStackIsRefused) {
+    const TemporaryFolder folder;
+    std::string deep = R"({"asset": {"version": "2.0"}, "extras": )";
+    deep += std::string(100000, '[') + std::string(100000, ']') + "}";
+    EXPECT_THAT(error_of([&] { load_scene(folder.write("deep.gltf", deep)); }), HasSubstr("deep.gltf"));
+
+    const auto chain = [](int length, bool circle) {
+        std::string text =
+            R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [)";
+        for (int i = 0; i + 1 < length; ++i) text += fmt::format(R"({{"children": [{}]}},)", i + 1);
+        return text + (circle ? R"({"children": [0]}]})" : "{}]}");
+    };
+    EXPECT_THAT(error_of([&] { load_scene(folder.write("chain.gltf", chain(30000, false))); }),
+                HasSubstr("chain.gltf"));
+    EXPECT_THAT(error_of([&] { load_scene(folder.write("circle.gltf", chain(3, true))); }),
+                HasSubstr("circle"));
+}
+
 } // namespace
 } // namespace gnomon
