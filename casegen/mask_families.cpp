@@ -32,6 +32,7 @@ Mask oriented(Random& random, Mask mask) {
     return mask;
 }
 
+// Every number is drawn in a statement of its own: compilers evaluate a call's arguments in different orders.
 // Directions are slopes, not angles: sine and cosine differ in their last bits from one C library to the
 // next.
 Mask random_half_plane(Random& random, int size) {
@@ -79,8 +80,8 @@ Mask rectangles(Random& random, int size) {
     Mask mask(size, size);
     for (int i = random.between(1, 6); i > 0; --i) {
         const int x = random.between(-2, size), y = random.between(-2, size);
-        fill(mask, x, y, x + random.between(1, size / 2), y + random.between(1, size / 2),
-             random.chance(0.3));
+        const int w = random.between(1, size / 2), h = random.between(1, size / 2);
+        fill(mask, x, y, x + w, y + h, random.chance(0.3));
     }
     return mask;
 }
@@ -162,8 +163,10 @@ Mask noise(Random& random, int size) {
 Mask single_texels(Random& random, int size) {
     const bool lit = random.chance(0.5);
     Mask mask(size, size, !lit);
-    for (int i = random.between(1, size); i > 0; --i)
-        mask.set(random.between(0, size - 1), random.between(0, size - 1), lit);
+    for (int i = random.between(1, size); i > 0; --i) {
+        const int x = random.between(0, size - 1), y = random.between(0, size - 1);
+        mask.set(x, y, lit);
+    }
     return mask;
 }
 

@@ -24,10 +24,10 @@ TEST(mask_families, golden_masks) {
     const std::map<std::string, std::uint64_t> golden{
         {"half-planes", 0x1d06f2312181b079},   {"circles", 0xc5234341741a1e58},
         {"thin-strips", 0x58015dec03705f45},   {"segments", 0x1a7af55c105837da},
-        {"rectangles", 0x1aed3c612bf505c2},    {"shapes", 0x608310982c3c2152},
+        {"rectangles", 0xb2c25abd33c9c23a},    {"shapes", 0x608310982c3c2152},
         {"combs", 0x66f7aae6e87eb6ee},         {"blobs", 0x35444957b84608ae},
         {"mazes", 0xc8865c9253f5cc0e},         {"noise", 0xb0bd56226f8270bc},
-        {"single-texels", 0x2d627c0002631336},
+        {"single-texels", 0xf8aabcc04e910aa6},
     };
     const std::vector<NamedMask> corpus = mask_corpus(1, 8, 32);
     for (const MaskFamily& family : mask_families()) {

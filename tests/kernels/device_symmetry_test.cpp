@@ -38,7 +38,7 @@ TEST_P(device_symmetry, has_no_exception) {
         for (int y = 0; y < named.mask.height; ++y)
             for (int x = 0; x < named.mask.width; ++x) {
                 // Multiples of 1/64 within the texel: 1 - p is exact, and so is all that follows.
-                const glm::dvec2 p(random.between(1, 63) / 64.0, random.between(1, 63) / 64.0);
+                const glm::dvec2 p{random.between(1, 63) / 64.0, random.between(1, 63) / 64.0};
                 const glm::dvec2 turned = turn.of_point(p);
                 const glm::ivec2 image = turn.of_texel(named.mask, {x, y});
                 add(values, named.mask, {x, y}, &p);

@@ -48,7 +48,7 @@ Comparison compare() {
             Count& family = result.families[named.name.substr(0, named.name.find('/'))];
             Count& kind = result.kinds[kind_of(edge, *c)];
             for (int i = 0; i < samples_per_texel; ++i) {
-                const glm::dvec2 p(random.unit(), random.unit());
+                const glm::dvec2 p{random.unit(), random.unit()}; // braces: in this order
                 const double cases = testing::smsr_by_cases(edge, p);
                 const double shapes = testing::four_shape_visibility(edge, p);
                 const std::size_t differs = cases != shapes ? 1 : 0;
