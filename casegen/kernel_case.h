@@ -8,6 +8,7 @@
 // From it come the record that a sample is stored in, the generated main() and the columns of a CSV file.
 #pragma once
 
+#include "casegen/condition.h"
 #include "casegen/mask.h"
 #include "casegen/reference/revectorize.h"
 
@@ -113,11 +114,18 @@ struct Case {
     /// Inputs that the kernel is defined on, beyond its parameters' domains (they depend on each other);
     /// optional.
     std::function<bool(const Arguments&)> where;
-    /// The edges of a mask that lead to this kernel; optional, any edge if empty.
-    std::function<bool(const reference::Edge&)> applies;
+    /// The edges of a mask that lead to this kernel; empty for kernels that run on any.
+    Conditions condition;
     /// The number that the decision list of its family gives it; 0 if it is not chosen by one.
     unsigned number = 0;
+    /// What it computes, as people write it: "1 + p.x - along_y". For numbered cases; the kernel is the
+    /// truth.
+    std::string formula;
 };
+
+inline bool applies(const Case& c, const reference::Edge& edge) {
+    return c.condition.empty() || holds(c.condition, edge);
+}
 
 /// "smsr_case_09".
 std::string function_name(const Case& c);

@@ -83,7 +83,8 @@ EdgePool make_edge_pool(std::uint64_t seed) {
                 if (reference::discontinuity(mask, {x, y}) != glm::uvec2(0)) {
                     const reference::Edge edge = reference::edge(mask, {x, y});
                     pool.entries.push_back({index, glm::i8vec2(x, y), glm::u8vec2(edge.sides),
-                                            glm::i8vec4(edge.reach), glm::i8vec2(edge.type), edge.dominant});
+                                            glm::i8vec4(edge.reach), glm::i8vec2(edge.type), edge.dominant,
+                                            edge.lit});
                 }
         pool.masks.push_back(std::move(named.mask));
     }
@@ -98,14 +99,9 @@ Sampler::Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePo
         slots_.push_back({c.reference.parameters[i], &parameter.domain, find_fact(parameter.name),
                           parameter.name == "texel"});
     }
-    // A case of a decision list is met at lit texels only; where the shadow test is turned round it would
-    // mean another edge.
     for (std::uint32_t i = 0; i < pool_->entries.size(); ++i) {
         const EdgePool::Entry& entry = pool_->entries[i];
-        if (case_.applies &&
-            !(pool_->masks[entry.mask].lit(entry.texel.x, entry.texel.y) && case_.applies(entry.edge())))
-            continue;
-        chosen_.push_back(i);
+        if (applies(case_, entry.edge())) chosen_.push_back(i);
     }
     if (!pins.empty() && std::filesystem::exists(pins)) {
         for (CsvInput& row : read_inputs(c, pins)) {

@@ -23,8 +23,9 @@ struct EdgePool {
         glm::i8vec4 reach;
         glm::i8vec2 type;
         glm::bvec2 dominant;
+        bool lit;
         reference::Edge edge() const {
-            return {glm::uvec2(sides), glm::ivec4(reach), glm::ivec2(type), dominant};
+            return {glm::uvec2(sides), glm::ivec4(reach), glm::ivec2(type), dominant, lit};
         }
     };
     std::vector<Mask> masks;

@@ -1,7 +1,7 @@
 // The table of kernels/smsr: the twelve cases, the decision list over them, and their assembly.
 //
-// `applies` is each case's own condition (docs/revectorization.md 2.2), written for itself: that exactly one
-// holds for every edge a lit texel can have is what the decision list is tested against.
+// Each case's condition is written for itself (docs/revectorization.md 2.2): that exactly one holds for every
+// edge a lit texel can have is what the decision list is tested against.
 #include "casegen/catalogue.h"
 #include "casegen/reference/mask_space.h"
 #include "casegen/vocabulary.h"
@@ -17,20 +17,9 @@ namespace {
 
 using reference::Edge;
 
-// The kinds of edge. A BOTH counts by the run along it, for across it both walks end at once.
-bool along_x_only(const Edge& e) { return e.sides.x == neither && e.sides.y != neither; }
-bool along_y_only(const Edge& e) { return e.sides.y == neither && e.sides.x != neither; }
-bool corner(const Edge& e) {
-    return (e.sides.x == minus || e.sides.x == plus) && (e.sides.y == minus || e.sides.y == plus);
-}
-bool three_sides(const Edge& e) {
-    return e.sides.x != neither && e.sides.y != neither && (e.sides.x == both || e.sides.y == both);
-}
 /// A corner whose runs both have one end: what cases 4 to 8 choose between by dominance.
-bool open_corner(const Edge& e) { return corner(e) && e.type.x != 1 && e.type.y != 1; }
-
-bool any_type(const Edge& e, int type) {
-    return (along_x_only(e) && e.type.x == type) || (along_y_only(e) && e.type.y == type);
+Condition open_corner(unsigned side_y, unsigned dominant) {
+    return corner(sets::lit, sets::one, side_y, sets::one_end, sets::one_end, dominant);
 }
 
 // Distances from the shadowed side of the texel, as fractions of it.
@@ -50,7 +39,8 @@ const Family& table();
 unsigned number_by_conditions(const Edge& e) {
     unsigned number = 0;
     for (const Case& c : table().cases)
-        if (c.number != 0 && c.applies(e)) number = number == 0 ? c.number : 99; // 99: two conditions hold
+        if (c.number != 0 && holds(c.condition, e))
+            number = number == 0 ? c.number : 99; // 99: two conditions hold
     return number;
 }
 
@@ -66,8 +56,10 @@ const Family& table() {
                 .reference = [](dvec2) { return 1.0; },
                 .parameters = {p()},
                 .result = visibility,
-                .applies = [](const Edge& e) { return any_type(e, -1); },
+                .condition = {run_along_x(sets::lit, sets::some, sets::open),
+                              run_along_y(sets::lit, sets::some, sets::open)},
                 .number = 1,
+                .formula = "1",
             },
             {
                 .name = "smsr/case_02",
@@ -75,8 +67,14 @@ const Family& table() {
                 .reference = [](dvec2) { return 0.0; },
                 .parameters = {p()},
                 .result = visibility,
-                .applies = [](const Edge& e) { return any_type(e, 1) || (corner(e) && !open_corner(e)); },
+                .condition = {run_along_x(sets::lit, sets::some, sets::closed),
+                              run_along_y(sets::lit, sets::some, sets::closed),
+                              corner(sets::lit, sets::one, sets::one, sets::closed, sets::any_type,
+                                     sets::any_dominance),
+                              corner(sets::lit, sets::one, sets::one, sets::any_type, sets::closed,
+                                     sets::any_dominance)},
                 .number = 2,
+                .formula = "0",
             },
             {
                 .name = "smsr/case_03",
@@ -84,12 +82,12 @@ const Family& table() {
                 .reference = [](dvec2) { return 0.0; },
                 .parameters = {p()},
                 .result = visibility,
-                .applies =
-                    [](const Edge& e) {
-                        return three_sides(e) || (along_x_only(e) && e.sides.y == both && e.type.x == 0) ||
-                               (along_y_only(e) && e.sides.x == both && e.type.y == 0);
-                    },
+                .condition = {{.light = sets::lit, .side_x = sets::both, .side_y = sets::some},
+                              {.light = sets::lit, .side_x = sets::one, .side_y = sets::both},
+                              run_along_x(sets::lit, sets::both, sets::one_end),
+                              run_along_y(sets::lit, sets::both, sets::one_end)},
                 .number = 3,
+                .formula = "0",
             },
             {
                 .name = "smsr/case_04",
@@ -99,8 +97,9 @@ const Family& table() {
                 .parameters = {p(), along_y(), side_x()},
                 .result = visibility,
                 .tolerance = one_rounding,
-                .applies = [](const Edge& e) { return open_corner(e) && e.dominant.x && !e.dominant.y; },
+                .condition = {open_corner(sets::one, sets::goes_on_x)},
                 .number = 4,
+                .formula = "0 if q_x < along_y; 1 otherwise",
             },
             {
                 .name = "smsr/case_05",
@@ -110,8 +109,9 @@ const Family& table() {
                 .parameters = {p(), along_x(), side_y()},
                 .result = visibility,
                 .tolerance = one_rounding,
-                .applies = [](const Edge& e) { return open_corner(e) && e.dominant.y && !e.dominant.x; },
+                .condition = {open_corner(sets::one, sets::goes_on_y)},
                 .number = 5,
+                .formula = "0 if q_y < along_x; 1 otherwise",
             },
             {
                 .name = "smsr/case_06",
@@ -120,11 +120,9 @@ const Family& table() {
                 .parameters = {p(), along_x()},
                 .result = visibility,
                 .tolerance = one_rounding,
-                .applies =
-                    [](const Edge& e) {
-                        return open_corner(e) && !e.dominant.x && !e.dominant.y && e.sides.y == plus;
-                    },
+                .condition = {open_corner(sets::plus, sets::ends_both)},
                 .number = 6,
+                .formula = "0 if 1 - p.y < along_x; 1 otherwise",
             },
             {
                 .name = "smsr/case_07",
@@ -133,11 +131,9 @@ const Family& table() {
                 .parameters = {p(), along_x()},
                 .result = visibility,
                 .tolerance = one_rounding,
-                .applies =
-                    [](const Edge& e) {
-                        return open_corner(e) && !e.dominant.x && !e.dominant.y && e.sides.y == minus;
-                    },
+                .condition = {open_corner(sets::minus, sets::ends_both)},
                 .number = 7,
+                .formula = "0 if p.y < along_x; 1 otherwise",
             },
             {
                 .name = "smsr/case_08",
@@ -150,8 +146,9 @@ const Family& table() {
                 .parameters = {p(), along_x(), along_y(), side_x(), side_y()},
                 .result = visibility,
                 .tolerance = one_rounding,
-                .applies = [](const Edge& e) { return open_corner(e) && e.dominant.x && e.dominant.y; },
+                .condition = {open_corner(sets::one, sets::goes_on_both)},
                 .number = 8,
+                .formula = "0 if q_y < along_x; 0 if q_x < along_y; 1 otherwise",
             },
             {
                 .name = "smsr/case_09",
@@ -160,9 +157,9 @@ const Family& table() {
                 .parameters = {p(), along_x()},
                 .result = visibility,
                 .tolerance = one_rounding,
-                .applies =
-                    [](const Edge& e) { return along_x_only(e) && e.sides.y == plus && e.type.x == 0; },
+                .condition = {run_along_x(sets::lit, sets::plus, sets::one_end)},
                 .number = 9,
+                .formula = "0 if 1 - p.y < along_x; 1 otherwise",
             },
             {
                 .name = "smsr/case_10",
@@ -171,9 +168,9 @@ const Family& table() {
                 .parameters = {p(), along_x()},
                 .result = visibility,
                 .tolerance = exact(),
-                .applies =
-                    [](const Edge& e) { return along_x_only(e) && e.sides.y == minus && e.type.x == 0; },
+                .condition = {run_along_x(sets::lit, sets::minus, sets::one_end)},
                 .number = 10,
+                .formula = "0 if p.y < along_x; 1 otherwise",
             },
             {
                 .name = "smsr/case_11",
@@ -182,9 +179,9 @@ const Family& table() {
                 .parameters = {p(), along_y()},
                 .result = visibility,
                 .tolerance = exact(),
-                .applies =
-                    [](const Edge& e) { return along_y_only(e) && e.sides.x == minus && e.type.y == 0; },
+                .condition = {run_along_y(sets::lit, sets::minus, sets::one_end)},
                 .number = 11,
+                .formula = "0 if p.x < along_y; 1 otherwise",
             },
             {
                 .name = "smsr/case_12",
@@ -193,9 +190,9 @@ const Family& table() {
                 .parameters = {p(), along_y()},
                 .result = visibility,
                 .tolerance = one_rounding,
-                .applies =
-                    [](const Edge& e) { return along_y_only(e) && e.sides.x == plus && e.type.y == 0; },
+                .condition = {run_along_y(sets::lit, sets::plus, sets::one_end)},
                 .number = 12,
+                .formula = "0 if 1 - p.x < along_y; 1 otherwise",
             },
             {
                 .name = "smsr/decision",

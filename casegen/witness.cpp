@@ -15,8 +15,7 @@ std::optional<Witness> smallest_witness(const Case& c, int most_texels) {
                         mask.texels[static_cast<std::size_t>(i)] = (bits >> i) & 1u;
                     for (int i = 0; i < texels; ++i) {
                         const glm::ivec2 texel(i % width, i / width);
-                        if (mask.lit(texel.x, texel.y) && c.applies(reference::edge(mask, texel)))
-                            return Witness{std::move(mask), texel};
+                        if (applies(c, reference::edge(mask, texel))) return Witness{std::move(mask), texel};
                     }
                 }
         }

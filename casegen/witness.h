@@ -12,9 +12,9 @@ struct Witness {
     glm::ivec2 texel{0};
 };
 
-/// Searches all masks in order of their texel count (then width), all surrounds (lit, shadow, clamp), all lit
+/// Searches all masks in order of their texel count (then width), all surrounds (lit, shadow, clamp), all
 /// texels; the first at which the case applies. Nothing if none of at most `most_texels` does. The case must
-/// have `applies`.
+/// have a condition.
 std::optional<Witness> smallest_witness(const Case& c, int most_texels = 12);
 
 } // namespace gnomon

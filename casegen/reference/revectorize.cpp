@@ -65,6 +65,7 @@ Edge edge(const Mask& mask, glm::ivec2 texel) {
     e.reach = traversal(mask, texel, e.sides);
     e.type = {edge_type({e.reach.x, e.reach.y}), edge_type({e.reach.z, e.reach.w})};
     e.dominant = dominance(mask, texel, e.sides);
+    e.lit = lit(mask, texel);
     return e;
 }
 

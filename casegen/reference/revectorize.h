@@ -38,6 +38,7 @@ struct Edge {
     glm::ivec4 reach{0};
     glm::ivec2 type{0};
     glm::bvec2 dominant{false};
+    bool lit = true;
 };
 Edge edge(const Mask& mask, glm::ivec2 texel);
 

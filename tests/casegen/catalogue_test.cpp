@@ -75,7 +75,8 @@ TEST(catalogue, entries_are_complete) {
                 if (p.domain.choices.empty()) EXPECT_LE(p.domain.lower, p.domain.upper) << c.name;
             }
             if (c.number == 0) continue;
-            EXPECT_TRUE(c.applies) << c.name << " is numbered, but nothing says when it applies";
+            EXPECT_FALSE(c.condition.empty()) << c.name << " is numbered, but nothing says when it applies";
+            EXPECT_FALSE(c.formula.empty()) << c.name << " is numbered, but has no formula";
             EXPECT_TRUE(numbers.insert(c.number).second) << c.name << " repeats a number";
         }
     }

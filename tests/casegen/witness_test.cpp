@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(smsr, witness, ::testing::Range(1u, 13u));
 
 TEST(witness_search, gives_up) {
     Case never = find_case("smsr/case_01");
-    never.applies = [](const reference::Edge&) { return false; };
+    never.condition = {{.light = 0}};
     EXPECT_FALSE(smallest_witness(never, 6));
 }
 

@@ -43,7 +43,7 @@ TEST(decision, exactly_one_case_applies_to_every_edge) {
         int applying = 0;
         unsigned number = 0;
         for (const Case* c : testing::smsr_cases())
-            if (c->applies(edge)) ++applying, number = c->number;
+            if (applies(*c, edge)) ++applying, number = c->number;
         const bool is_edge = edge.sides != glm::uvec2(neither);
         EXPECT_EQ(applying, is_edge ? 1 : 0)
             << "sides " << edge.sides.x << edge.sides.y << " types " << edge.type.x << edge.type.y;

@@ -17,7 +17,7 @@ const std::vector<const Case*>& smsr_cases() {
 const Case* smsr_case_of(const reference::Edge& edge) {
     const Case* found = nullptr;
     for (const Case* c : smsr_cases()) {
-        if (!c->applies(edge)) continue;
+        if (!applies(*c, edge)) continue;
         EXPECT_EQ(found, nullptr) << found->name << " and " << c->name << " apply to one edge";
         found = c;
     }
