@@ -46,7 +46,7 @@ Error unknown_kernel(const std::string& name) {
 
 const std::vector<Family>& catalogue() {
     static const std::vector<Family> families = [] {
-        std::vector<Family> all{revectorize_family(), nsm_family(), smsr_family()};
+        std::vector<Family> all{revectorize_family(), nsm_family(), smsr_family(), rsmss_family()};
         for ([[maybe_unused]] const Family& family : all)
             for ([[maybe_unused]] const Case& c : family.cases)
                 assert(c.parameters.size() == c.reference.parameters.size() &&

@@ -19,6 +19,7 @@ struct Family {
 Family revectorize_family(); // casegen/revectorize.cpp
 Family nsm_family();         // casegen/nsm.cpp
 Family smsr_family();        // casegen/smsr.cpp
+Family rsmss_family();       // casegen/rsmss.cpp
 
 const std::vector<Family>& catalogue();
 

@@ -59,6 +59,14 @@ int put_along(Numbers& out, glm::ivec2 reach, double c) {
     return reference::edge_type(reach) == 0 ? put(out, reference::along(reach, c)) : 0;
 }
 
+/// Whether two walls stand on opposite sides, and the texel is not shut on all four.
+bool is_slot(const Facts& f) {
+    return f.mask && (f.edge.sides.x == reference::both) != (f.edge.sides.y == reference::both);
+}
+unsigned closed_end(const Facts& f) {
+    return f.edge.sides.x == reference::both ? f.edge.sides.y : f.edge.sides.x;
+}
+
 } // namespace
 
 Fact find_fact(const std::string& name) {
@@ -75,6 +83,26 @@ Fact find_fact(const std::string& name) {
         {"dominant", [](const Facts& f, Numbers& out) { return put(out, f.edge.dominant); }},
         {"along_x", [](const Facts& f, Numbers& out) { return put_along(out, reach_x(f), f.p.x); }},
         {"along_y", [](const Facts& f, Numbers& out) { return put_along(out, reach_y(f), f.p.y); }},
+        {"type_x", [](const Facts& f, Numbers& out) { return put(out, static_cast<double>(f.edge.type.x)); }},
+        {"type_y", [](const Facts& f, Numbers& out) { return put(out, static_cast<double>(f.edge.type.y)); }},
+        {"entering", [](const Facts& f, Numbers& out) { return put(out, f.edge.lit ? 1.0 : 0.0); }},
+        {"neighbours",
+         [](const Facts& f, Numbers& out) {
+             return is_slot(f) ? put(out, reference::neighbours(*f.mask, f.texel, f.edge.sides)) : 0;
+         }},
+        {"neighbour",
+         [](const Facts& f, Numbers& out) {
+             if (!is_slot(f)) return 0;
+             const glm::uvec2 both_ways = reference::neighbours(*f.mask, f.texel, f.edge.sides);
+             return put(out,
+                        static_cast<double>(closed_end(f) == reference::plus ? both_ways.x : both_ways.y));
+         }},
+        {"breach",
+         [](const Facts& f, Numbers& out) {
+             return is_slot(f)
+                        ? put(out, static_cast<double>(reference::breach(*f.mask, f.texel, f.edge.sides)))
+                        : 0;
+         }},
         {"heading", [](const Facts& f, Numbers& out) { return put(out, glm::ivec2(!f.along_y, f.along_y)); }},
         {"c", [](const Facts& f, Numbers& out) { return put(out, f.along_y ? f.p.y : f.p.x); }},
     };

@@ -94,13 +94,16 @@ struct Facts {
     glm::ivec2 texel{0};
     glm::dvec2 p{0};
     reference::Edge edge;
+    const Mask* mask = nullptr; ///< where what lies beyond the texel is looked up; may be null
     bool along_y =
         false; ///< for what exists once per axis (`reach` of one run, its `c`, `heading`): the y axis
 };
 
 /// A fact by the name of the parameter that takes it: "texel", "p", "sides", "side_x", "side_y", "reach",
-/// "type", "dominant", "along_x", "along_y", "heading", "c". Writes its components and returns how many, 0 if
-/// these facts do not hold it (a position along a run that does not end once). Null for any other name.
+/// "type", "type_x", "type_y", "dominant", "along_x", "along_y", "heading", "c", "entering"; and of slots and
+/// bars "neighbours", "neighbour" (the one away from a closed end), "breach". Writes its components and
+/// returns how many, 0 if these facts do not hold it (a position along a run that does not end once, a breach
+/// of what has no two walls). Null for any other name.
 using Fact = int (*)(const Facts&, Numbers&);
 Fact find_fact(const std::string& name);
 

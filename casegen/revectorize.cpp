@@ -11,10 +11,12 @@ namespace ref = reference;
 
 Family revectorize_family() {
     const auto reach_is_walked = [](const Arguments& a) { return a.numbers[0] != 0 && a.numbers[1] != 0; };
+    const auto ends_twice = [](const Arguments& a) { return a.numbers[0] > 0 && a.numbers[1] > 0; };
     const auto ends_once = [](const Arguments& a) { return a.numbers[0] * a.numbers[1] < 0; };
     return {
         "revectorize",
-        "shadow test, discontinuity, traversal, edge type, position along the run, dominance",
+        "shadow test, discontinuity, traversal, edge type, position along the run, dominance, neighbours, "
+        "breach",
         {
             {
                 .name = "revectorize/shadow_test",
@@ -74,6 +76,38 @@ Family revectorize_family() {
                 // 2^-24 x 2; the quotient and the difference add half an ulp of 1 each.
                 .tolerance = absolute(0x1p-22),
                 .where = ends_once,
+            },
+            {
+                .name = "revectorize/along_unclamped",
+                .source = "RBSM 2016, equation 1 without a limit; docs/decisions.md A7",
+                .reference = ref::along_unclamped,
+                .parameters = {reach(), c()},
+                .result = {0, 1, "1", "position along the run"},
+                .tolerance = absolute(0x1p-22), // as above
+                .where = ends_once,
+            },
+            {
+                .name = "revectorize/along_closed",
+                .source = "RBSM 2016, equation 1; docs/decisions.md A3",
+                .reference = ref::along_closed,
+                .parameters = {reach(), c()},
+                .result = {0, 1, "1", "distance from the nearer end as part of the run"},
+                .tolerance = absolute(0x1p-22), // as above
+                .where = ends_twice,
+            },
+            {
+                .name = "revectorize/neighbours",
+                .source = "RBSM supplement, section 3, n(d_c); docs/revectorization.md 1.5",
+                .reference = ref::neighbours,
+                .parameters = {texel(), sides()},
+                .result = {0, 3, "bits", "sides of the texels next along, towards - and +"},
+            },
+            {
+                .name = "revectorize/breach",
+                .source = "RBSM supplement, section 3, d_cb; docs/revectorization.md 1.6",
+                .reference = ref::breach,
+                .parameters = {texel(), sides()},
+                .result = {0, 4, "bits", "sides left; 3 one each way, 4 none found"},
             },
             {
                 .name = "revectorize/dominance",

@@ -213,6 +213,7 @@ std::uint32_t Sampler::draw_from_mask(Random& random, std::span<std::uint32_t> w
     facts.p.x = draw_float(random, 0, 1);
     facts.p.y = draw_float(random, 0, 1);
     facts.edge = entry.edge();
+    facts.mask = &pool_->masks[entry.mask];
     facts.along_y = random.chance(0.5);
     for (const Slot& slot : slots_) {
         Numbers numbers{};

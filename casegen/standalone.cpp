@@ -87,7 +87,11 @@ constexpr std::size_t least_rehearsed = 4096;
 
 } // namespace
 
-glsl::Sources kernel_sources(const std::filesystem::path& kernels) { return {kernels, generated_sources()}; }
+glsl::Sources kernel_sources(const std::filesystem::path& kernels, unsigned rsmss_options) {
+    glsl::Sources sources{kernels, generated_sources()};
+    sources.generated["rsmss/options"] = fmt::format("const uint RSMSS_OPTIONS = {}u;\n", rsmss_options);
+    return sources;
+}
 
 std::string standalone_source(const Case& c) {
     std::string arguments, writes;

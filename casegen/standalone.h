@@ -16,7 +16,7 @@
 namespace gnomon {
 
 /// Where kernels come from: the folder, and what the catalogue generates.
-glsl::Sources kernel_sources(const std::filesystem::path& kernels);
+glsl::Sources kernel_sources(const std::filesystem::path& kernels, unsigned rsmss_options = 0);
 
 /// The compute shader around `c`: includes its file, reads a record, writes the result's words.
 std::string standalone_source(const Case& c);

@@ -43,6 +43,34 @@ inline Parameter texel() {
 inline Parameter type() {
     return {"type", {-1, 1, {}}, "1", "ends of the runs along x and y: 1 both, 0 one, -1 none (t_h, t_v)"};
 }
+inline Parameter type_x() {
+    return {"type_x", {0, 0, {{0}, {1}}}, "1", "ends of the run along x: 1 both, 0 one (t_h)"};
+}
+inline Parameter type_y() {
+    return {"type_y", {0, 0, {{0}, {1}}}, "1", "ends of the run along y: 1 both, 0 one (t_v)"};
+}
+inline Parameter entering() { return {"entering", {0, 1, {}}, "1", "whether the texel is lit (1 - d_c.b)"}; }
+inline Parameter neighbours() {
+    return {"neighbours",
+            {0, 3, {}},
+            "bits",
+            "sides across the slot or bar of the texels next along it, towards - and + (n(d_c))"};
+}
+inline Parameter neighbour() {
+    return {"neighbour",
+            {0, 3, {}},
+            "bits",
+            "sides across the slot or bar of the texel next along it, away from its closed end"};
+}
+inline Parameter breach() {
+    return {"breach",
+            {0, 4, {}},
+            "bits",
+            "sides left where the slot or bar loses a wall; 3 each way another, 4 nowhere (d_cb)"};
+}
+inline Parameter options() {
+    return {"options", {0, 127, {}}, "bits", "readings of the document, as in kernels/rsmss/options.glslh"};
+}
 inline Parameter dominant() {
     return {"dominant",
             {0, 1, {}},

@@ -1,5 +1,7 @@
 #include "casegen/reference/mask_space.h"
 
+#include "casegen/reference/mask_runs.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,52 +11,6 @@ namespace {
 
 using glm::dvec2;
 using glm::ivec2;
-
-constexpr int longest = 16;
-
-/// A view of the mask in which the run in question always lies along x.
-struct View {
-    const Mask& mask;
-    bool turned; // x and y exchanged
-    bool lit(int x, int y) const { return turned ? mask.lit(y, x) : mask.lit(x, y); }
-};
-
-/// Which of the two neighbours across the run are in shadow.
-struct Across {
-    bool below = false, above = false; // towards -y, +y
-    bool any() const { return below || above; }
-    bool all() const { return below && above; }
-};
-
-Across shadow_across(const View& view, int x, int y) { return {!view.lit(x, y - 1), !view.lit(x, y + 1)}; }
-
-/// The run of lit texels along x through (x, y) beside shadow: grid lines where it stops, and whether it
-/// stops at shadow.
-struct Run {
-    double first = 0, last = 0;
-    bool closed_first = false, closed_last = false;
-    Across side;
-};
-
-Run find_run(const View& view, int x, int y) {
-    Run run;
-    run.side = shadow_across(view, x, y);
-    const auto stop = [&](int direction, bool& closed) {
-        int steps = 0;
-        for (;;) {
-            ++steps;
-            const int next = x + direction * steps;
-            closed = steps <= longest && !view.lit(next, y);
-            if (closed || steps > longest) break;
-            const Across there = shadow_across(view, next, y);
-            if (!((run.side.below && there.below) || (run.side.above && there.above))) break;
-        }
-        return direction > 0 ? x + steps : x + 1 - steps; // the grid line before the texel that stopped it
-    };
-    run.last = stop(+1, run.closed_last);
-    run.first = stop(-1, run.closed_first);
-    return run;
-}
 
 /// Twice the signed area of the triangle a, b, c.
 double cross(dvec2 a, dvec2 b, dvec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
@@ -68,7 +24,7 @@ bool same_side(dvec2 a, dvec2 b, dvec2 point, dvec2 witness) {
 /// Dark by the line of a run with exactly one end.
 bool behind_line(const Run& run, int y, dvec2 point) {
     const double near = run.side.above ? y + 1 : y, far = run.side.above ? y : y + 1;
-    const double reach = std::min<double>(run.last - run.first, longest);
+    const double reach = std::min<double>(run.last - run.first, longest_walk);
     const dvec2 end(run.closed_last ? run.last : run.first, far);
     const dvec2 beginning(run.closed_last ? end.x - reach : end.x + reach, near);
     if (std::abs(point.x - end.x) > reach) return false; // beyond the beginning nothing is added
@@ -79,7 +35,7 @@ bool behind_line(const Run& run, int y, dvec2 point) {
 
 double smsr_visibility_in_mask_space(const Mask& mask, ivec2 texel, dvec2 p) {
     if (!mask.lit(texel.x, texel.y)) return 0;
-    const View upright{mask, false}, turned{mask, true};
+    const View upright{mask}, turned{mask, true};
     const Run along_x = find_run(upright, texel.x, texel.y), along_y = find_run(turned, texel.y, texel.x);
     const dvec2 point = dvec2(texel) + p;
     const auto dark_x = [&] { return behind_line(along_x, texel.y, point); };

@@ -29,10 +29,23 @@ int edge_type(glm::ivec2 reach);
 /// far border of its texel, seen from the positive end. `reach` must end on exactly one side.
 double along(glm::ivec2 reach, double c);
 
+/// The same without the limit of 16 on the run's length; and, of a run that ends on both sides, the distance
+/// from the nearer end as part of the run. docs/decisions.md, A7 and A3.
+double along_unclamped(glm::ivec2 reach, double c);
+double along_closed(glm::ivec2 reach, double c);
+
 /// Section 1.4.
 glm::bvec2 dominance(const Mask& mask, glm::ivec2 texel, glm::uvec2 sides);
 
-/// All of the above for one texel.
+/// Section 1.5: of a texel with a side on both along one axis, the sides along that axis of the texels next
+/// along it, towards - and +.
+glm::uvec2 neighbours(const Mask& mask, glm::ivec2 texel, glm::uvec2 sides);
+
+/// Section 1.6: Side bits, or `unbroken`.
+unsigned breach(const Mask& mask, glm::ivec2 texel, glm::uvec2 sides);
+constexpr unsigned unbroken = 4;
+
+/// What decides about a texel's case.
 struct Edge {
     glm::uvec2 sides{0};
     glm::ivec4 reach{0};

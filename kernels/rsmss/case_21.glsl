@@ -1,0 +1,6 @@
+// A lit notch, shadowed on an x side and at both ends along y: the ramp lies across it.   [RSMSS case 21]
+#include "revectorize/sides.glslh"
+
+float rsmss_case_21(vec2 p, uint side_x) {
+    return clamp(side_x == MINUS ? p.x : 1.0 - p.x, 0.0, 1.0);
+}
