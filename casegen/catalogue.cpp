@@ -46,7 +46,8 @@ Error unknown_kernel(const std::string& name) {
 
 const std::vector<Family>& catalogue() {
     static const std::vector<Family> families = [] {
-        std::vector<Family> all{revectorize_family(), nsm_family(), smsr_family(), rsmss_family()};
+        std::vector<Family> all{revectorize_family(),     nsm_family(),        smsr_family(), rsmss_family(),
+                                rbsm_silhouette_family(), rbsm_filter_family()};
         for ([[maybe_unused]] const Family& family : all)
             for ([[maybe_unused]] const Case& c : family.cases)
                 assert(c.parameters.size() == c.reference.parameters.size() &&
@@ -103,9 +104,11 @@ std::map<std::string, std::string> generated_sources() {
         if (calls.empty()) continue;
         std::string parameters;
         for (const auto& [name, type] : declared) parameters += fmt::format(", {} {}", type, name);
+        std::string prefix = family.name;
+        std::ranges::replace(prefix, '/', '_');
         sources[family.name + "/cases"] = fmt::format(
             "{}\nfloat {}_case(uint number{}) {{\n    switch (number) {{\n{}    }}\n    return 1.0;\n}}\n",
-            includes, family.name, parameters, calls);
+            includes, prefix, parameters, calls);
     }
     return sources;
 }

@@ -16,10 +16,12 @@ struct Family {
     std::vector<Case> cases;
 };
 
-Family revectorize_family(); // casegen/revectorize.cpp
-Family nsm_family();         // casegen/nsm.cpp
-Family smsr_family();        // casegen/smsr.cpp
-Family rsmss_family();       // casegen/rsmss.cpp
+Family revectorize_family();     // casegen/revectorize.cpp
+Family nsm_family();             // casegen/nsm.cpp
+Family smsr_family();            // casegen/smsr.cpp
+Family rsmss_family();           // casegen/rsmss.cpp
+Family rbsm_silhouette_family(); // casegen/rbsm.cpp
+Family rbsm_filter_family();
 
 const std::vector<Family>& catalogue();
 
