@@ -70,6 +70,18 @@ Mask load_mask(const std::filesystem::path& path) {
     return parse_mask(bytes, '\n', path.string());
 }
 
+Mask without_isolated(const Mask& mask) {
+    Mask result = mask;
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x) {
+            const bool here = mask.lit(x, y);
+            if (mask.lit(x - 1, y) != here && mask.lit(x + 1, y) != here && mask.lit(x, y - 1) != here &&
+                mask.lit(x, y + 1) != here)
+                result.set(x, y, !here);
+        }
+    return result;
+}
+
 Mask transposed(const Mask& mask) {
     Mask result(mask.height, mask.width, true, mask.outside);
     for (int y = 0; y < mask.height; ++y)

@@ -53,6 +53,10 @@ std::string format_mask(const Mask& mask, char separator);
 /// A PNG (darker than 50 % is shadow) or a text file with rows as above. Throws Error naming the file.
 Mask load_mask(const std::filesystem::path& path);
 
+/// The mask with every texel flipped whose four neighbours all differ from it: what revectorisation sees if
+/// isolated texels are not edges to their neighbours. docs/decisions.md, A9.
+Mask without_isolated(const Mask& mask);
+
 /// x and y exchanged; x mirrored; y mirrored.
 Mask transposed(const Mask& mask);
 Mask mirrored_x(const Mask& mask);

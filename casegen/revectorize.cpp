@@ -11,7 +11,6 @@ namespace ref = reference;
 
 Family revectorize_family() {
     const auto reach_is_walked = [](const Arguments& a) { return a.numbers[0] != 0 && a.numbers[1] != 0; };
-    const auto ends_twice = [](const Arguments& a) { return a.numbers[0] > 0 && a.numbers[1] > 0; };
     const auto ends_once = [](const Arguments& a) { return a.numbers[0] * a.numbers[1] < 0; };
     return {
         "revectorize",
@@ -90,10 +89,11 @@ Family revectorize_family() {
                 .name = "revectorize/along_closed",
                 .source = "RBSM 2016, equation 1; docs/decisions.md A3",
                 .reference = ref::along_closed,
-                .parameters = {reach(), c()},
+                .parameters =
+                    {{"reach", {1, ref::longest_walk, {}}, "texels", "walks towards - and +, both to an end"},
+                     c()},
                 .result = {0, 1, "1", "distance from the nearer end as part of the run"},
                 .tolerance = absolute(0x1p-22), // as above
-                .where = ends_twice,
             },
             {
                 .name = "revectorize/neighbours",

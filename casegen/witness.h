@@ -1,9 +1,12 @@
-// The smallest mask that leads to a case: its picture, its proof that it can happen, and a test's input.
+// The smallest mask that leads to a case, or to one way through it: its picture, its proof that it can
+// happen, and a test's input.
 #pragma once
 
-#include "casegen/kernel_case.h"
+#include "casegen/catalogue.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -16,5 +19,32 @@ struct Witness {
 /// texels; the first at which the case applies. Nothing if none of at most `most_texels` does. The case must
 /// have a condition.
 std::optional<Witness> smallest_witness(const Case& c, int most_texels = 12);
+
+/// One way through a numbered case: the values of those of its parameters that are not numbers within a texel
+/// or along a run (sides, ends, neighbours, the breach).
+struct Branch {
+    const Case* kernel = nullptr;
+    std::vector<std::pair<std::string, int>> facts; ///< by parameter and component
+    friend bool operator==(const Branch&, const Branch&) = default;
+    friend auto operator<=>(const Branch& a, const Branch& b) {
+        return a.kernel->number != b.kernel->number ? a.kernel->number <=> b.kernel->number
+                                                    : a.facts <=> b.facts;
+    }
+};
+
+/// "rsmss/case_12 side_y=1 type_y=0 neighbour=3 breach=1".
+std::string to_string(const Branch& branch);
+
+/// The way that the texel takes through its family's cases; nothing if none applies.
+std::optional<Branch> branch_of(const Family& family, const Mask& mask, glm::ivec2 texel);
+
+struct BranchWitness {
+    Branch branch;
+    Witness witness;
+};
+
+/// The first witness, in smallest_witness's order, of every branch that masks of so many texels, and so many
+/// on a side, reach; in order of branches.
+std::vector<BranchWitness> branch_witnesses(const Family& family, int most_texels = 12, int most_side = 4);
 
 } // namespace gnomon

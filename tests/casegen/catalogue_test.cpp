@@ -88,6 +88,16 @@ TEST(catalogue, smsr_has_the_twelve_cases_by_number) {
     EXPECT_EQ(find_cases("smsr/case_").size(), 12u);
 }
 
+TEST(catalogue, rsmss_has_the_31_cases_and_rbsm_nine_shapes_by_number) {
+    for (unsigned number = 1; number <= 31; ++number)
+        EXPECT_EQ(find_case(fmt::format("rsmss/case_{:02}", number)).number, number);
+    EXPECT_EQ(find_cases("rsmss/case_").size(), 31u);
+    std::map<std::string, unsigned> shapes;
+    for (const Case* c : find_cases("rbsm/"))
+        if (c->number != 0) ++shapes[c->name.substr(0, c->name.rfind('/'))];
+    EXPECT_THAT(shapes, ElementsAre(Pair("rbsm/filter", 5), Pair("rbsm/silhouette", 4)));
+}
+
 std::vector<std::string> names_of(const std::string& pattern) {
     std::vector<std::string> names;
     for (const Case* c : find_cases(pattern)) names.push_back(c->name);
@@ -95,9 +105,10 @@ std::vector<std::string> names_of(const std::string& pattern) {
 }
 
 TEST(catalogue, patterns_are_parts_of_names_or_globs) {
-    EXPECT_THAT(names_of("case_09"), ElementsAre("smsr/case_09"));
+    EXPECT_THAT(names_of("smsr/case_09"), ElementsAre("smsr/case_09"));
+    EXPECT_THAT(names_of("case_09"), ElementsAre("smsr/case_09", "rsmss/case_09"));
     EXPECT_THAT(names_of("smsr/case_1?"), ElementsAre("smsr/case_10", "smsr/case_11", "smsr/case_12"));
-    EXPECT_THAT(names_of("*/case_0[12]"), ElementsAre("smsr/case_01", "smsr/case_02"));
+    EXPECT_THAT(names_of("s*/case_0[12]"), ElementsAre("smsr/case_01", "smsr/case_02"));
     std::size_t all = 0;
     for (const Family& family : catalogue()) all += family.cases.size();
     EXPECT_EQ(names_of("").size(), all);
