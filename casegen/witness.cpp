@@ -1,5 +1,7 @@
 #include "casegen/witness.h"
 
+#include "casegen/csv.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,6 +52,12 @@ std::string to_string(const Branch& branch) {
     std::string text = branch.kernel->name;
     for (const auto& [name, value] : branch.facts) text += fmt::format(" {}={}", name, value);
     return text;
+}
+
+std::string to_string(const BranchWitness& found) {
+    const auto& [mask, texel] = found.witness;
+    return fmt::format("{}: {} {},{} {}", to_string(found.branch), to_string(mask.outside), texel.x, texel.y,
+                       format_mask(mask, '/'));
 }
 
 std::optional<Branch> branch_of(const Family& family, const Mask& mask, glm::ivec2 texel) {

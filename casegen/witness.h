@@ -43,6 +43,9 @@ struct BranchWitness {
     Witness witness;
 };
 
+/// "rsmss/case_12 side_y=1 …: lit 0,1 #./..": the branch, what lies outside, the texel, the mask's rows.
+std::string to_string(const BranchWitness& found);
+
 /// The first witness, in smallest_witness's order, of every branch that masks of so many texels, and so many
 /// on a side, reach; in order of branches.
 std::vector<BranchWitness> branch_witnesses(const Family& family, int most_texels = 12, int most_side = 4);

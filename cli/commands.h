@@ -21,6 +21,7 @@ struct Common {
 void add_devices(CLI::App& app, Common& common);
 void add_list(CLI::App& app, Common& common);
 void add_describe(CLI::App& app, Common& common);
+void add_witnesses(CLI::App& app, Common& common);
 void add_check(CLI::App& app, Common& common, int& exit_code);
 void add_eval(CLI::App& app, Common& common);
 void add_revectorize(CLI::App& app, Common& common);

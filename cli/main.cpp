@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
 
     cli::add_list(app, common);
     cli::add_describe(app, common);
+    cli::add_witnesses(app, common);
     cli::add_check(app, common, exit_code);
     cli::add_eval(app, common);
     cli::add_revectorize(app, common);

@@ -95,7 +95,8 @@ TEST(catalogue, rsmss_has_the_31_cases_and_rbsm_nine_shapes_by_number) {
     std::map<std::string, unsigned> shapes;
     for (const Case* c : find_cases("rbsm/"))
         if (c->number != 0) ++shapes[c->name.substr(0, c->name.rfind('/'))];
-    EXPECT_THAT(shapes, ElementsAre(Pair("rbsm/filter", 5), Pair("rbsm/silhouette", 4)));
+    EXPECT_THAT(shapes,
+                ElementsAre(::testing::Pair("rbsm/filter", 5), ::testing::Pair("rbsm/silhouette", 4)));
 }
 
 std::vector<std::string> names_of(const std::string& pattern) {
