@@ -76,40 +76,54 @@ const Case& find_case(const std::string& name) {
     throw unknown_kernel(name);
 }
 
+std::string identifier(const Family& family) {
+    std::string name = family.name;
+    std::ranges::replace(name, '/', '_');
+    return name;
+}
+
+std::string technique_name(const Family& family) {
+    std::string name = family.name;
+    std::ranges::replace(name, '/', '-');
+    return name;
+}
+
+const Case* find_kernel(const Family& family, const std::string& name) {
+    for (const Case& c : family.cases)
+        if (c.name == family.name + "/" + name) return &c;
+    return nullptr;
+}
+
 std::vector<std::string> visibility_techniques() {
     std::vector<std::string> names;
     for (const Family& family : catalogue())
-        for (const Case& c : family.cases)
-            if (c.name == family.name + "/visibility") names.push_back(family.name);
+        if (find_kernel(family, "visibility")) names.push_back(technique_name(family));
     return names;
 }
 
-std::map<std::string, std::string> generated_sources() {
+std::vector<std::string> numbered_techniques() {
+    std::vector<std::string> names = visibility_techniques();
+    std::erase_if(names,
+                  [](const std::string& name) { return !find_kernel(technique_family(name), "number"); });
+    return names;
+}
+
+const Family& technique_family(const std::string& technique) {
+    for (const Family& family : catalogue())
+        if (technique_name(family) == technique) return family;
+    throw Error("no technique \"{}\"; there are: {}", technique, fmt::join(visibility_techniques(), ", "));
+}
+
+std::map<std::string, std::string> generated_sources(const std::map<std::string, Assembly>& assemblies) {
     std::map<std::string, std::string> sources;
     for (const Family& family : catalogue()) {
-        std::string includes, calls;
-        std::map<std::string, std::string>
-            declared; // name to type: alphabetical, so that a new case moves nothing
-        for (const Case& c : family.cases) {
-            if (c.number == 0) continue;
-            std::vector<std::string> names;
-            for (std::size_t i = 0; i < c.parameters.size(); ++i) {
-                names.push_back(c.parameters[i].name);
-                declared[c.parameters[i].name] = glsl_name(c.reference.parameters[i]);
-            }
-            includes += fmt::format("#include \"{}.glsl\"\n", c.name);
-            calls += fmt::format("    case {}u: return {}({});\n", c.number, function_name(c),
-                                 fmt::join(names, ", "));
-        }
-        if (calls.empty()) continue;
-        std::string parameters;
-        for (const auto& [name, type] : declared) parameters += fmt::format(", {} {}", type, name);
-        std::string prefix = family.name;
-        std::ranges::replace(prefix, '/', '_');
-        sources[family.name + "/cases"] = fmt::format(
-            "{}\nfloat {}_case(uint number{}) {{\n    switch (number) {{\n{}    }}\n    return 1.0;\n}}\n",
-            includes, prefix, parameters, calls);
+        if (numbered_cases(family).empty()) continue;
+        const auto found = assemblies.find(family.name);
+        sources[family.name + "/cases"] =
+            assembled(family, found == assemblies.end() ? Assembly{} : found->second);
     }
+    for (const auto& [name, assembly] : assemblies)
+        if (!sources.contains(name + "/cases")) throw Error("no family \"{}\" with numbered cases", name);
     return sources;
 }
 

@@ -2,6 +2,7 @@
 // its family's table.
 #pragma once
 
+#include "casegen/assembly.h"
 #include "casegen/kernel_case.h"
 
 #include <map>
@@ -11,7 +12,7 @@
 namespace gnomon {
 
 struct Family {
-    std::string name; ///< the folder below kernels/
+    std::string name; ///< the folder below kernels/: "smsr", "rbsm/filter"
     std::string what; ///< one line
     std::vector<Case> cases;
 };
@@ -32,15 +33,28 @@ std::vector<const Case*> find_cases(const std::string& pattern);
 /// The case of exactly this name. Throws Error that suggests near names.
 const Case& find_case(const std::string& name);
 
-/// Families with a kernel `<family>/visibility`, float (ivec2 texel, vec2 p) over a map: what --technique
-/// takes.
+/// "rbsm_filter": how the names of the family's functions begin.
+std::string identifier(const Family& family);
+
+/// "rbsm-filter": what --technique calls it.
+std::string technique_name(const Family& family);
+
+/// What --technique takes: families with a kernel `<family>/visibility`, float (ivec2 texel, vec2 p) over a
+/// map.
 std::vector<std::string> visibility_techniques();
 
-/// What kernels include by <>: for each family with numbered cases `<smsr/cases>`, which includes them all
-/// and defines
-///     float smsr_case(uint number, …)
-/// with every parameter that any of them takes, in alphabetical order; a number that is none of them gives
-/// the default, lit.
-std::map<std::string, std::string> generated_sources();
+/// Those of them that have a kernel `<family>/number` too, uint (ivec2 texel): the case at a texel.
+std::vector<std::string> numbered_techniques();
+
+/// The family of a technique. Throws Error if there is none of this name.
+const Family& technique_family(const std::string& technique);
+
+/// The family's kernel of this name behind the /; null if it has none.
+const Case* find_kernel(const Family& family, const std::string& name);
+
+/// What kernels include by <>: for each family with numbered cases `<smsr/cases>`, which chooses among them
+/// (see assembled()). `assemblies` by the family's name; families that are not named hold all their cases in
+/// a switch. Throws Error if one names a family without numbered cases.
+std::map<std::string, std::string> generated_sources(const std::map<std::string, Assembly>& assemblies = {});
 
 } // namespace gnomon

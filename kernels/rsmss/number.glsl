@@ -4,5 +4,5 @@
 
 uint rsmss_number(ivec2 texel) {
     Edge edge = revectorize_edge(texel);
-    return rsmss_decision(lit(texel), edge.sides, edge.type, edge.dominant);
+    return rsmss_decision(edge.lit, edge.sides, edge.type, edge.dominant);
 }

@@ -8,8 +8,7 @@ float smsr_visibility(ivec2 texel, vec2 p) {
     if (!lit(texel)) return 0.0;
     Edge edge = revectorize_edge(texel);
     uint number = smsr_decision(edge.sides, edge.type, edge.dominant);
-    if (number == 0u) return 1.0;
     float along_x = revectorize_along(edge.reach.xy, p.x);
     float along_y = revectorize_along(edge.reach.zw, p.y);
-    return smsr_case(number, along_x, along_y, p, edge.sides.x, edge.sides.y);
+    return smsr_case(number, edge, along_x, along_y, p, edge.sides.x, edge.sides.y);
 }

@@ -19,7 +19,9 @@ using ::testing::ElementsAre;
 using testing::error_of;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
 using testing::kernels_folder;
+using ::testing::Not;
 using testing::TemporaryFolder;
 
 /// What is in the folder but in no table, and the other way round.
@@ -133,11 +135,29 @@ TEST(catalogue, generates_the_choice_of_cases) {
         EXPECT_THAT(text, HasSubstr(fmt::format("case {}u: return {}(", c->number, function_name(*c))));
     }
     EXPECT_THAT(text,
-                HasSubstr("float smsr_case(uint number, float along_x, float along_y, vec2 p, uint side_x, "
-                          "uint side_y)"));
+                HasSubstr("float smsr_case(uint number, Edge edge, float along_x, float along_y, vec2 p, "
+                          "uint side_x, uint side_y)"));
     EXPECT_THAT(text, HasSubstr("smsr_case_08(p, along_x, along_y, side_x, side_y)"));
     EXPECT_THAT(text, HasSubstr("return 1.0;"));
     EXPECT_FALSE(generated_sources().contains("revectorize/cases")); // nothing numbered there
+}
+
+TEST(catalogue, techniques_are_families_with_a_visibility_kernel) {
+    EXPECT_THAT(visibility_techniques(), IsSupersetOf({"nsm", "smsr"}));
+    EXPECT_THAT(visibility_techniques(), Not(Contains("revectorize")));
+    EXPECT_THAT(numbered_techniques(), Contains("smsr"));
+    EXPECT_THAT(numbered_techniques(), Not(Contains("nsm")));
+    for (const std::string& name : visibility_techniques()) {
+        EXPECT_EQ(name.find('/'), name.npos) << "a technique is a file's name in reports";
+        EXPECT_TRUE(find_kernel(technique_family(name), "visibility"));
+    }
+    EXPECT_EQ(technique_family("smsr").name, "smsr");
+    EXPECT_THAT(error_of([] { technique_family("smrs"); }), AllOf(HasSubstr("\"smrs\""), HasSubstr("smsr")));
+}
+
+TEST(catalogue, a_family_in_a_folder_of_its_family_has_one_word_for_a_name) {
+    EXPECT_EQ(identifier({.name = "rbsm/filter", .what = {}, .cases = {}}), "rbsm_filter");
+    EXPECT_EQ(technique_name({.name = "rbsm/filter", .what = {}, .cases = {}}), "rbsm-filter");
 }
 
 } // namespace

@@ -6,10 +6,8 @@
 
 float rbsm_filter_visibility(ivec2 texel, vec2 p) {
     Edge edge = revectorize_edge(texel);
-    bool entering = lit(texel);
     uint number = rbsm_filter_decision(edge.sides, edge.type);
-    if (number == 0u) return entering ? 1.0 : 0.0;
     float along_x = rbsm_along(edge.reach.xy, edge.type.x, p.x);
     float along_y = rbsm_along(edge.reach.zw, edge.type.y, p.y);
-    return rbsm_filter_case(number, along_x, along_y, entering, edge.type);
+    return rbsm_filter_case(number, edge, along_x, along_y, edge.lit, edge.type);
 }

@@ -9,8 +9,7 @@ float rbsm_silhouette_visibility(ivec2 texel, vec2 p) {
     if (!lit(texel)) return 0.0;
     Edge edge = revectorize_edge(texel);
     uint number = rbsm_silhouette_decision(edge.sides, edge.type);
-    if (number == 0u) return 1.0;
     float along_x = rbsm_along(edge.reach.xy, edge.type.x, p.x);
     float along_y = rbsm_along(edge.reach.zw, edge.type.y, p.y);
-    return rbsm_silhouette_case(number, along_x, along_y, p);
+    return rbsm_silhouette_case(number, edge, along_x, along_y, p);
 }
