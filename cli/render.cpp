@@ -1,10 +1,9 @@
-#include "casegen/demo_scene.h"
 #include "casegen/standalone.h"
 #include "cli/commands.h"
-#include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/rendering.h"
 #include "cli/report.h"
+#include "cli/view.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
 
@@ -12,27 +11,16 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 
 namespace gnomon::cli {
 namespace {
 
 struct Options {
-    std::string scene, technique = "smsr", receiver = "plane";
-    std::string camera_position, camera_direction, light_direction, light_position, size = "1024x768";
-    std::optional<float> fov, near, far;
-    float light_fov = 90, bias = 0;
+    std::string scene, technique = "smsr";
+    ViewOptions view;
     int shadow_map = 1024, frames = 5;
     std::filesystem::path report, image, errors;
 };
-
-/// From a position to the scene's centre. Throws Error if that is where the position is.
-glm::vec3 towards_centre(const Scene& scene, glm::vec3 position, const char* what) {
-    const glm::vec3 direction = scene.bounds().centre() - position;
-    if (direction == glm::vec3(0))
-        throw Error("--{0}-position is the scene's centre; say where it looks with --{0}-direction", what);
-    return direction;
-}
 
 /// Throws Error before minutes of work if one of the outputs cannot be written, or would replace another.
 void require_outputs(const Options& options) {
@@ -51,38 +39,8 @@ void require_outputs(const Options& options) {
 }
 
 void run(const Options& options, const Common& common) {
-    const Scene scene = options.scene.empty() ? demo_scene() : load_scene(options.scene);
-    for (const std::string& warning : scene.warnings)
-        fmt::print(stderr, "gnomon: {}: {}\n", scene.name, warning);
-
-    ViewSettings settings;
-    std::tie(settings.width, settings.height) = parse_size(options.size, "--size");
-    const bool has_area = settings.width > 0 && settings.height > 0; // else require_valid says so
-    Camera camera = default_camera(scene.bounds(), has_area ? static_cast<float>(settings.width) /
-                                                                  static_cast<float>(settings.height)
-                                                            : 1);
-    if (!options.camera_position.empty())
-        camera.position = parse_vector(options.camera_position, "--camera-position");
-    if (!options.camera_direction.empty())
-        camera.direction = parse_vector(options.camera_direction, "--camera-direction");
-    else if (!options.camera_position.empty())
-        camera.direction = towards_centre(scene, camera.position, "camera");
-    camera.fov = options.fov.value_or(camera.fov);
-    camera.near = options.near.value_or(camera.near);
-    camera.far = options.far.value_or(camera.far);
-    Light light;
-    light.fov = options.light_fov;
-    if (!options.light_position.empty()) {
-        light.position = parse_vector(options.light_position, "--light-position");
-        if (options.light_direction.empty())
-            light.direction = towards_centre(scene, *light.position, "light");
-    }
-    if (!options.light_direction.empty())
-        light.direction = parse_vector(options.light_direction, "--light-direction");
-    settings.shadow_map = options.shadow_map;
-    settings.bias = options.bias;
-    settings.receiver_plane = options.receiver == "plane";
-    require_valid(camera, light, settings);
+    const Scene scene = scene_of(options.scene);
+    const auto [camera, light, settings] = view_of(options.view, options.shadow_map, scene);
     require_outputs(options);
 
     Progress progress("rendering");
@@ -125,53 +83,26 @@ void run(const Options& options, const Common& common) {
 } // namespace
 
 void add_render(CLI::App& app, Common& common) {
-    const CLI::Validator not_empty([](std::string& value) { return value.empty() ? "is empty" : ""; }, "");
     CLI::App* verb =
         app.add_subcommand("render", "render a scene and judge its shadows against ray-traced truth");
     auto options = std::make_shared<Options>();
     verb->add_option("SCENE", options->scene, "glTF, OBJ or PLY file (default: the demo scene)")
-        ->check(not_empty);
+        ->check(not_empty());
     verb->add_option("--technique", options->technique, "how visibility is found")
         ->check(CLI::IsMember(technique_names()))
         ->capture_default_str();
-    verb->add_option("--camera-position", options->camera_position, "X,Y,Z (default: sees the whole scene)")
-        ->check(not_empty);
-    verb->add_option("--camera-direction", options->camera_direction,
-                     "X,Y,Z (default: towards the scene's centre)")
-        ->check(not_empty);
-    verb->add_option("--fov", options->fov, "vertical field of view in degrees (default: 50)");
-    verb->add_option("--near", options->near, "nearest distance seen (default: from the scene's size)");
-    verb->add_option("--far", options->far, "farthest distance seen (default: from the scene's size)");
-    verb->add_option("--light-direction", options->light_direction,
-                     "X,Y,Z: the way light travels (default: 0.5,-0.7,0.3)")
-        ->check(not_empty);
-    CLI::Option* light_position =
-        verb->add_option(
-                "--light-position", options->light_position,
-                "X,Y,Z of a perspective light, which looks along --light-direction (default: towards the "
-                "scene's centre); without it the light is directional")
-            ->check(not_empty);
-    verb->add_option("--light-fov", options->light_fov, "a perspective light's field of view in degrees")
-        ->needs(light_position)
-        ->capture_default_str();
-    verb->add_option("--size", options->size, "WIDTHxHEIGHT of the image in pixels")->capture_default_str();
+    add_view_options(*verb, options->view);
     verb->add_option("--shadow-map", options->shadow_map, "texels on a side of the shadow map")
-        ->capture_default_str();
-    verb->add_option("--bias", options->bias,
-                     "of the shadow test, in world units (default: rounding of the depth range)");
-    verb->add_option("--receiver", options->receiver,
-                     "what is tested against neighbouring texels: the receiver's plane, or its depth alone")
-        ->check(CLI::IsMember({"plane", "depth"}))
         ->capture_default_str();
     verb->add_option("--frames", options->frames,
                      "frames that times are the median of; one more is discarded")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
-    verb->add_option("--report", options->report, "JSON file to write")->check(not_empty);
-    verb->add_option("--image", options->image, "PNG file to write: the shaded frame")->check(not_empty);
+    verb->add_option("--report", options->report, "JSON file to write")->check(not_empty());
+    verb->add_option("--image", options->image, "PNG file to write: the shaded frame")->check(not_empty());
     verb->add_option("--errors", options->errors,
                      "PNG file to write: red lit but truly in shadow, blue shadowed but truly lit")
-        ->check(not_empty);
+        ->check(not_empty());
     verb->footer(
         "  gnomon render --technique smsr --image smsr.png --errors wrong.png\n"
         "  gnomon render city.glb --shadow-map 2048 --light-direction=-0.5,-0.65,0.35 --report city.json");

@@ -30,7 +30,7 @@ std::vector<std::string> technique_names() {
 Technique technique_by_name(const std::string& name) {
     if (name == "none") return {Technique::Kind::none, name};
     if (name == "raytraced") return {Technique::Kind::raytraced, name};
-    return {Technique::Kind::kernel, name};
+    return {Technique::Kind::kernel, name, technique_family(name).name};
 }
 
 double Judged::visibility_milliseconds() const {

@@ -1,7 +1,6 @@
 #include "runtime/pipeline/renderer.h"
 
 #include "runtime/error.h"
-#include "runtime/files.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +12,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Without the first of several, which holds compilation.
+double median(std::vector<double> times) {
+    if (times.size() > 1) times.erase(times.begin());
+    std::ranges::sort(times);
+    const std::size_t n = times.size();
+    return n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2]);
+}
+
 /// Step times of several frames, in the order in which steps first happened.
 class Stopwatch {
 public:
@@ -22,17 +29,9 @@ public:
             .milliseconds.push_back(milliseconds);
     }
 
-    /// Medians without each step's first time, which holds compilation.
     std::vector<Step> medians() const {
         std::vector<Step> result;
-        for (const Samples& step : steps_) {
-            std::vector<double> times(step.milliseconds.begin() + (step.milliseconds.size() > 1 ? 1 : 0),
-                                      step.milliseconds.end());
-            std::ranges::sort(times);
-            const std::size_t n = times.size();
-            result.push_back(
-                {step.name, n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2])});
-        }
+        for (const Samples& step : steps_) result.push_back({step.name, median(step.milliseconds)});
         return result;
     }
 
@@ -61,10 +60,10 @@ struct Renderer::Impl {
     gpu::Target world, shading_normal, depth, shadow_depth;
     gpu::Raster gbuffer, shadow_map;
     gpu::Kernel receivers_kernel, shade_kernel;
-    std::map<std::string, gpu::Kernel> visibility_kernels; // by technique
+    std::map<std::string, gpu::Kernel> visibility_kernels; // by technique and its texts
     std::unique_ptr<RayTracer> tracer;
 
-    gpu::Buffer world_texels, normal_texels, depth_texels, receivers, visibility, colours;
+    gpu::Buffer world_texels, normal_texels, depth_texels, receivers, visibility, left_out, colours;
     std::vector<shared::Receiver> host_receivers;
     Surfaces host_surfaces;
 
@@ -101,30 +100,48 @@ struct Renderer::Impl {
         const std::size_t pixels = std::size_t{width} * height;
         receivers = device.allocate(pixels * sizeof(shared::Receiver));
         visibility = device.allocate(pixels * sizeof(float));
+        left_out = device.upload(std::vector<std::uint32_t>{0});
         colours = device.allocate(pixels * sizeof(glm::vec4));
     }
 
     glsl::Spirv stage(const std::string& file) const { return stage(file, sources); }
     static glsl::Spirv stage(const std::string& file, const glsl::Sources& from) {
-        const std::string text = read_file(from.root / "pipeline" / file);
         const glsl::Stage kind = file.ends_with(".vert")   ? glsl::Stage::vertex
                                  : file.ends_with(".frag") ? glsl::Stage::fragment
                                                            : glsl::Stage::compute;
-        return glsl::compile(from, text, (from.root.filename() / "pipeline" / file).generic_string(), kind);
+        return glsl::compile(from, stage_text(from, file), stage_name(from, file), kind);
     }
 
     gpu::Dispatch per_pixel() const { return {.threads = {frame.size.x, frame.size.y, 1}}; }
 
-    gpu::Kernel& visibility_kernel(const std::string& technique) {
-        const auto found = visibility_kernels.find(technique);
+    gpu::Kernel& visibility_kernel(const Technique& technique) {
+        std::string key = technique.name;
+        for (const auto& [name, text] : technique.generated) key += '\n' + name + '\n' + text;
+        const auto found = visibility_kernels.find(key);
         if (found != visibility_kernels.end()) return found->second;
-        glsl::Sources with = sources;
-        with.generated["technique"] = fmt::format("#include \"{0}/visibility.glsl\"\nfloat "
-                                                  "technique_visibility(ivec2 texel, vec2 p) {{\n    return "
-                                                  "{0}_visibility(texel, p);\n}}\n",
-                                                  technique);
-        return visibility_kernels.emplace(technique, device.kernel(stage("visibility.comp", with), technique))
-            .first->second;
+        const glsl::Spirv words = stage("visibility.comp", visibility_sources(sources, technique));
+        return visibility_kernels.emplace(key, device.kernel(words, technique.name)).first->second;
+    }
+
+    double run_visibility(const Technique& technique) {
+        return 1e-6 * device.run(visibility_kernel(technique),
+                                 {&frame_buffer, &receivers, &depth_texels, &visibility, &left_out},
+                                 per_pixel());
+    }
+
+    /// Returns the pixels whose case was left out.
+    std::size_t run_visibility(const Technique& technique, Stopwatch& watch) {
+        watch.add("visibility", run_visibility(technique));
+        if (technique.generated.empty()) return 0; // all cases: never counted, so the count stays 0
+        const std::uint32_t count = device.read<std::uint32_t>(left_out).front();
+        if (count == 0) return 0;
+        constexpr std::uint32_t none = 0;
+        device.write(left_out, gpu::bytes_of(none));
+        if (!technique.falls_back) return count;
+        Technique whole = technique;
+        whole.generated.clear();
+        watch.add("all cases", run_visibility(whole));
+        return count;
     }
 
     void draw_gbuffer(Stopwatch& watch) {
@@ -180,20 +197,17 @@ struct Renderer::Impl {
         return result;
     }
 
-    void find_visibility(const Technique& technique, Stopwatch& watch) {
+    /// Returns the pixels whose case was left out.
+    std::size_t find_visibility(const Technique& technique, Stopwatch& watch) {
         switch (technique.kind) {
         case Technique::Kind::kernel: {
             draw_shadow_map(watch);
-            const double run =
-                device.run(visibility_kernel(technique.name),
-                           {&frame_buffer, &receivers, &depth_texels, &visibility}, per_pixel());
-            watch.add("visibility", run * 1e-6);
-            return;
+            return run_visibility(technique, watch);
         }
         case Technique::Kind::raytraced: {
             const std::vector<float> traced = trace(watch);
             device.write(visibility, std::as_bytes(std::span(traced)));
-            return;
+            return 0;
         }
         case Technique::Kind::none:
             break;
@@ -201,6 +215,7 @@ struct Renderer::Impl {
         read_receivers();
         const std::vector<float> facing(host_surfaces.facing.begin(), host_surfaces.facing.end());
         device.write(visibility, std::as_bytes(std::span(facing)));
+        return 0;
     }
 
     Image read_image() {
@@ -221,16 +236,46 @@ Renderer::~Renderer() = default;
 Rendering Renderer::render(const Technique& technique, int frames) {
     Impl& r = *impl_;
     Stopwatch watch;
+    std::size_t left_out = 0;
     for (int i = 0; i < std::max(frames, 1) + 1; ++i) {
         r.draw_gbuffer(watch);
-        r.find_visibility(technique, watch);
+        left_out = r.find_visibility(technique, watch);
         const double shaded = r.device.run(
             r.shade_kernel,
             {&r.frame_buffer, &r.receivers, &r.world_texels, &r.normal_texels, &r.visibility, &r.colours},
             r.per_pixel());
         watch.add("shade", shaded * 1e-6);
     }
-    return {r.device.read<float>(r.visibility), r.read_image(), watch.medians()};
+    return {r.device.read<float>(r.visibility), r.read_image(), watch.medians(), left_out};
+}
+
+std::vector<std::uint64_t> Renderer::census(const Technique& technique) {
+    Impl& r = *impl_;
+    Stopwatch ignored;
+    r.draw_gbuffer(ignored);
+    r.draw_shadow_map(ignored);
+    gpu::Kernel kernel = r.device.kernel(r.stage("census.comp", number_sources(r.sources, technique)),
+                                         technique.name + " census");
+    const gpu::Buffer counts = r.device.upload(std::vector<std::uint32_t>(census_size));
+    r.device.run(kernel, {&r.frame_buffer, &r.receivers, &r.depth_texels, &counts}, r.per_pixel());
+    const std::vector<std::uint32_t> words = r.device.read<std::uint32_t>(counts);
+    return {words.begin(), words.end()};
+}
+
+std::vector<double> Renderer::time_visibility(const std::vector<Technique>& techniques, int rounds) {
+    Impl& r = *impl_;
+    Stopwatch ignored;
+    r.draw_gbuffer(ignored);
+    r.draw_shadow_map(ignored);
+    std::vector<std::vector<double>> milliseconds(techniques.size());
+    for (int round = 0; round < rounds + 1; ++round)
+        for (std::size_t i = 0; i < techniques.size(); ++i)
+            milliseconds[i].push_back(r.run_visibility(techniques[i]));
+    constexpr std::uint32_t none = 0;
+    r.device.write(r.left_out, gpu::bytes_of(none));
+    std::vector<double> medians;
+    for (const std::vector<double>& times : milliseconds) medians.push_back(median(times));
+    return medians;
 }
 
 const Surfaces& Renderer::surfaces() {

@@ -5,25 +5,16 @@
 #include "runtime/glsl/compiler.h"
 #include "runtime/gpu/device.h"
 #include "runtime/image.h"
+#include "runtime/pipeline/technique.h"
 #include "runtime/pipeline/view.h"
 #include "runtime/rays.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace gnomon {
-
-/// How a pixel's visibility is found.
-struct Technique {
-    enum class Kind {
-        none,      ///< everything that faces the light is lit
-        kernel,    ///< by the kernel `name`/visibility over the shadow map
-        raytraced, ///< by a shadow ray: the truth
-    };
-    Kind kind = Kind::none;
-    std::string name;
-};
 
 struct Step {
     std::string name;
@@ -34,6 +25,9 @@ struct Rendering {
     std::vector<float> visibility; ///< per pixel, row-major; 0 where the surface faces away or there is none
     Image image;
     std::vector<Step> steps;
+    /// Pixels whose case the technique's assembly did not hold, in one frame; if any, `visibility` was found
+    /// again with all cases, in a step of its own.
+    std::size_t left_out = 0;
 };
 
 /// What is the same for all techniques, per pixel.
@@ -60,6 +54,16 @@ public:
 
     /// Renders `frames` + 1 times (at least 2) and keeps the medians of the last `frames`.
     Rendering render(const Technique& technique, int frames = 5);
+
+    /// Pixels that the technique's kernels are asked about, by the number of their case: as many numbers as
+    /// census_size. 0 is no case. The technique's family must have a kernel `number`.
+    std::vector<std::uint64_t> census(const Technique& technique);
+    static constexpr std::size_t census_size = 256;
+
+    /// Milliseconds on the device of each technique's visibility kernel, over the same receivers and map: the
+    /// techniques take turns, so that a machine that slows down slows all of them alike. Medians of `rounds`;
+    /// one more is discarded. Nothing falls back.
+    std::vector<double> time_visibility(const std::vector<Technique>& techniques, int rounds);
 
     const Surfaces& surfaces();
 

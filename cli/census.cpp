@@ -1,0 +1,170 @@
+#include "casegen/census.h"
+#include "casegen/csv.h"
+#include "casegen/mask.h"
+#include "casegen/standalone.h"
+#include "cli/commands.h"
+#include "cli/progress.h"
+#include "cli/rendering.h"
+#include "cli/report.h"
+#include "cli/view.h"
+#include "runtime/error.h"
+#include "runtime/files.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace gnomon::cli {
+namespace {
+
+struct Options {
+    std::vector<std::string> inputs;
+    std::string technique = "smsr", outside = "clamp";
+    ViewOptions view;
+    std::vector<int> shadow_maps{1024};
+    unsigned lights = 0; // 0: the one of `view`
+    std::filesystem::path json;
+};
+
+bool is_mask(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return extension == ".png" || extension == ".txt";
+}
+
+/// What was counted, and how often each number was found.
+struct Census {
+    nlohmann::ordered_json what;
+    Counts counts;
+};
+
+void count_views(const Options& options, const std::string& path, const Common& common, gpu::Device& device,
+                 std::vector<Census>& found) {
+    const Scene scene = scene_of(path);
+    for (const int shadow_map : options.shadow_maps)
+        for (unsigned i = 0; i < std::max(options.lights, 1u); ++i) {
+            View view = view_of(options.view, shadow_map, scene);
+            if (options.lights > 0) view.light.direction = spread_direction(i);
+            Renderer renderer(device, kernel_sources(common.kernels), scene, view.camera, view.light,
+                              view.settings);
+            nlohmann::ordered_json what{{"scene", scene.name}};
+            what.update(view_json(view.camera, view.light, view.settings));
+            found.push_back({std::move(what), renderer.census(technique_by_name(options.technique))});
+        }
+}
+
+std::string table(const std::vector<CaseShare>& shares, bool several) {
+    std::string text = fmt::format("{:>6}  {:<22}  {:>10}  {:>8}", "number", "case", "count", "share");
+    text += several ? fmt::format("  {:>8}  {:>9}\n", "mean", "deviation") : "\n";
+    for (const CaseShare& s : shares) {
+        text +=
+            fmt::format("{:>6}  {:<22}  {:>10}  {:>7.3f}%", s.c->number, s.c->name, s.count, 100 * s.share);
+        text += several ? fmt::format("  {:>7.3f}%  {:>8.3f}%\n", 100 * s.mean, 100 * s.deviation) : "\n";
+    }
+    return text;
+}
+
+nlohmann::ordered_json json_of(const Options& options, const Family& family, const std::vector<Census>& found,
+                               const std::vector<CaseShare>& shares, const gpu::Device& device) {
+    nlohmann::ordered_json of_family = nlohmann::ordered_json::object(), cases, censuses;
+    for (const CaseShare& s : shares) {
+        of_family[std::to_string(s.c->number)] = s.mean;
+        cases.push_back(nlohmann::ordered_json{{"number", s.c->number},
+                                               {"name", s.c->name},
+                                               {"count", s.count},
+                                               {"share", s.share},
+                                               {"mean", s.mean},
+                                               {"deviation", s.deviation}});
+    }
+    for (const Census& census : found) {
+        nlohmann::ordered_json counts = nlohmann::ordered_json::object();
+        for (std::size_t number = 0; number < census.counts.size(); ++number)
+            if (census.counts[number] > 0) counts[std::to_string(number)] = census.counts[number];
+        nlohmann::ordered_json entry = census.what;
+        entry["counts"] = counts;
+        censuses.push_back(entry);
+    }
+    return {{"gnomon", GNOMON_VERSION},
+            {"device", device.info().name},
+            {"technique", options.technique},
+            {"shares", {{family.name, of_family}}},
+            {"cases", cases},
+            {"censuses", censuses}};
+}
+
+void run(const Options& options, const Common& common) {
+    const Family& family = technique_family(options.technique);
+    if (!options.json.empty()) require_writable(options.json);
+    std::vector<std::string> inputs = options.inputs;
+    if (inputs.empty()) inputs.emplace_back(); // the demo scene
+    for (const std::string& input : inputs)
+        if (is_mask(input) && options.lights > 0)
+            throw Error("--lights says nothing about the mask {}", input);
+
+    std::vector<Census> found;
+    Progress progress("counting");
+    gpu::Device device(common.device);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (is_mask(inputs[i])) {
+            Mask mask = load_mask(inputs[i]);
+            mask.outside = parse_outside(options.outside, "--outside");
+            found.push_back({{{"mask", std::filesystem::path(inputs[i]).filename().string()},
+                              {"size", {mask.width, mask.height}}},
+                             mask_census(device, kernel_sources(common.kernels), family, mask)});
+        } else {
+            count_views(options, inputs[i], common, device, found);
+        }
+        progress.show(i + 1, inputs.size());
+    }
+    require_no_validation_messages();
+
+    std::vector<Counts> censuses;
+    std::uint64_t of_cases = 0, all = 0;
+    for (const Census& census : found) {
+        censuses.push_back(census.counts);
+        for (std::size_t number = 0; number < census.counts.size(); ++number) {
+            all += census.counts[number];
+            of_cases += number > 0 ? census.counts[number] : 0;
+        }
+    }
+    const std::vector<CaseShare> shares = case_shares(family, censuses);
+    if (!options.json.empty())
+        write_file(options.json, json_of(options, family, found, shares, device)
+                                         .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+                                     "\n");
+    fmt::print("{}{} of {} {} are of a case ({} {})\n", table(shares, found.size() > 1), of_cases, all,
+               is_mask(inputs.front()) ? "texels" : "pixels", found.size(),
+               found.size() == 1 ? "census" : "censuses; mean and deviation are over them");
+}
+
+} // namespace
+
+void add_census(CLI::App& app, Common& common) {
+    CLI::App* verb = app.add_subcommand("census", "count how often each case of a technique occurs");
+    auto options = std::make_shared<Options>();
+    verb->add_option("INPUT", options->inputs,
+                     "masks (.png, .txt) and scenes (glTF, OBJ, PLY); default: the demo scene")
+        ->check(not_empty());
+    verb->add_option("--technique", options->technique, "whose cases")
+        ->check(CLI::IsMember(numbered_techniques()))
+        ->capture_default_str();
+    verb->add_option("--outside", options->outside, "what lies beyond a mask: clamp, lit or shadow")
+        ->check(CLI::IsMember({"clamp", "lit", "shadow"}))
+        ->capture_default_str();
+    add_view_options(*verb, options->view);
+    verb->add_option("--shadow-map", options->shadow_maps,
+                     "texels on a side of the shadow map; several, parted by commas, are taken in turn")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->capture_default_str();
+    verb->add_option("--lights", options->lights,
+                     "directional lights that spread over the sky, taken in turn, instead of the view's one")
+        ->check(CLI::Range(1u, 10000u))
+        ->excludes("--light-direction")
+        ->excludes("--light-position");
+    verb->add_option("--json", options->json, "JSON file to write")->check(not_empty());
+    verb->footer("  gnomon census --technique smsr --shadow-map 256,512,1024,2048 --lights 16\n"
+                 "  gnomon census mask.png --json shares.json");
+    verb->callback([options, &common] { run(*options, common); });
+}
+
+} // namespace gnomon::cli

@@ -1,0 +1,38 @@
+// What is seen, from where, and in which light: the options that render and census share.
+#pragma once
+
+#include "runtime/pipeline/view.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace gnomon::cli {
+
+struct ViewOptions {
+    std::string receiver = "plane";
+    std::string camera_position, camera_direction, light_direction, light_position, size = "1024x768";
+    std::optional<float> fov, near, far;
+    float light_fov = 90, bias = 0;
+};
+
+/// All but SCENE and --shadow-map.
+void add_view_options(CLI::App& verb, ViewOptions& options);
+
+struct View {
+    Camera camera;
+    Light light;
+    ViewSettings settings;
+};
+
+/// Throws Error naming the option that is malformed, out of range, or leaves no direction to look in.
+View view_of(const ViewOptions& options, int shadow_map, const Scene& scene);
+
+/// The demo scene for an empty path. Prints the file's warnings.
+Scene scene_of(const std::string& path);
+
+/// A check for options that must not be "".
+CLI::Validator not_empty();
+
+} // namespace gnomon::cli

@@ -1,0 +1,45 @@
+#include "runtime/pipeline/technique.h"
+
+#include "runtime/files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gnomon {
+namespace {
+
+glsl::Sources with(glsl::Sources sources, const Technique& technique, const char* wrapper) {
+    const std::string& family = technique.family.empty() ? technique.name : technique.family;
+    std::string prefix = family;
+    std::ranges::replace(prefix, '/', '_');
+    sources.generated["technique"] =
+        fmt::format(fmt::runtime(wrapper), fmt::arg("family", family), fmt::arg("prefix", prefix));
+    for (const auto& [name, text] : technique.generated) sources.generated[name] = text;
+    return sources;
+}
+
+} // namespace
+
+glsl::Sources visibility_sources(const glsl::Sources& sources, const Technique& technique) {
+    return with(sources, technique,
+                "#include \"{family}/visibility.glsl\"\n"
+                "float technique_visibility(ivec2 texel, vec2 p) {{\n"
+                "    return {prefix}_visibility(texel, p);\n}}\n");
+}
+
+glsl::Sources number_sources(const glsl::Sources& sources, const Technique& technique) {
+    return with(sources, technique,
+                "#include \"{family}/number.glsl\"\n"
+                "uint technique_number(ivec2 texel) {{\n    return {prefix}_number(texel);\n}}\n");
+}
+
+std::string stage_text(const glsl::Sources& sources, const std::string& file) {
+    return read_file(sources.root / "pipeline" / file);
+}
+
+std::string stage_name(const glsl::Sources& sources, const std::string& file) {
+    return (sources.root.filename() / "pipeline" / file).generic_string();
+}
+
+} // namespace gnomon
