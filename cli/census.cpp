@@ -3,6 +3,7 @@
 #include "casegen/mask.h"
 #include "casegen/standalone.h"
 #include "cli/commands.h"
+#include "cli/explain.h"
 #include "cli/progress.h"
 #include "cli/rendering.h"
 #include "cli/report.h"
@@ -50,17 +51,6 @@ void count_views(const Options& options, const std::string& path, const Common& 
             what.update(view_json(view.camera, view.light, view.settings));
             found.push_back({std::move(what), renderer.census(technique_by_name(options.technique))});
         }
-}
-
-std::string table(const std::vector<CaseShare>& shares, bool several) {
-    std::string text = fmt::format("{:>6}  {:<22}  {:>10}  {:>8}", "number", "case", "count", "share");
-    text += several ? fmt::format("  {:>8}  {:>9}\n", "mean", "deviation") : "\n";
-    for (const CaseShare& s : shares) {
-        text +=
-            fmt::format("{:>6}  {:<22}  {:>10}  {:>7.3f}%", s.c->number, s.c->name, s.count, 100 * s.share);
-        text += several ? fmt::format("  {:>7.3f}%  {:>8.3f}%\n", 100 * s.mean, 100 * s.deviation) : "\n";
-    }
-    return text;
 }
 
 nlohmann::ordered_json json_of(const Options& options, const Family& family, const std::vector<Census>& found,
@@ -131,7 +121,7 @@ void run(const Options& options, const Common& common) {
         write_file(options.json, json_of(options, family, found, shares, device)
                                          .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
                                      "\n");
-    fmt::print("{}{} of {} {} are of a case ({} {})\n", table(shares, found.size() > 1), of_cases, all,
+    fmt::print("{}{} of {} {} are of a case ({} {})\n", census_table(shares, found.size() > 1), of_cases, all,
                is_mask(inputs.front()) ? "texels" : "pixels", found.size(),
                found.size() == 1 ? "census" : "censuses; mean and deviation are over them");
 }

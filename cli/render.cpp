@@ -1,5 +1,8 @@
+#include "casegen/census.h"
 #include "casegen/standalone.h"
+#include "casegen/technique.h"
 #include "cli/commands.h"
+#include "cli/explain.h"
 #include "cli/progress.h"
 #include "cli/rendering.h"
 #include "cli/report.h"
@@ -8,15 +11,19 @@
 #include "runtime/files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace gnomon::cli {
 namespace {
 
 struct Options {
-    std::string scene, technique = "smsr";
+    std::string scene, technique = "smsr", assembly = "full";
+    bool explain = false;
     ViewOptions view;
     int shadow_map = 1024, frames = 5;
     std::filesystem::path report, image, errors;
@@ -38,7 +45,18 @@ void require_outputs(const Options& options) {
     }
 }
 
+/// The cases that this very view shows, most frequent first.
+Assembly assembly_of(const Family& family, const Counts& counts) {
+    return {Variant::switch_by_number, cases_by_frequency(family, counts)};
+}
+
 void run(const Options& options, const Common& common) {
+    const bool needs_census = options.assembly == "scene" || options.explain;
+    const std::vector<std::string> numbered = numbered_techniques();
+    if (needs_census && std::ranges::find(numbered, options.technique) == numbered.end())
+        throw Error("--{} needs a technique with numbered cases: {}; {} has none",
+                    options.explain ? "explain" : "assembly scene", fmt::join(numbered, ", "),
+                    options.technique);
     const Scene scene = scene_of(options.scene);
     const auto [camera, light, settings] = view_of(options.view, options.shadow_map, scene);
     require_outputs(options);
@@ -51,9 +69,18 @@ void run(const Options& options, const Common& common) {
     const Rendering truth = renderer.render(truth_technique, options.frames);
     progress.show(1, 2);
     Judged judged{options.technique, {}, {}};
-    judged.rendering = options.technique == "raytraced"
-                           ? truth
-                           : renderer.render(technique_by_name(options.technique), options.frames);
+    Technique technique = technique_by_name(options.technique);
+    std::optional<Explanation> explanation;
+    if (needs_census) {
+        const Family& family = technique_family(options.technique);
+        const Counts counts = renderer.census(technique);
+        const Assembly assembly = assembly_of(family, counts);
+        if (options.explain)
+            explanation = explain(renderer, kernel_sources(common.kernels), family, counts, assembly,
+                                  std::max(options.frames, 15));
+        if (options.assembly == "scene") technique = technique_of(family, assembly);
+    }
+    judged.rendering = options.technique == "raytraced" ? truth : renderer.render(technique, options.frames);
     judged.counts = count_pixels(renderer.surfaces(), judged.rendering.visibility, truth.visibility);
     require_no_validation_messages();
 
@@ -68,6 +95,9 @@ void run(const Options& options, const Common& common) {
                                   {"frames", options.frames},
                                   {"view", view_json(camera, light, settings)}};
     report.update(judged_json(judged));
+    report["assembly"] = options.assembly;
+    if (explanation)
+        report["explanation"] = explanation_json(technique_family(options.technique), *explanation);
     if (!options.report.empty())
         write_file(options.report,
                    report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
@@ -78,6 +108,13 @@ void run(const Options& options, const Common& common) {
                c.covered, c.facing, c.truly_lit, c.truly_shadowed, c.facing_away);
     for (const Step& step : judged.rendering.steps)
         fmt::print("  {:<12} {:8.2f} ms\n", step.name, step.milliseconds);
+    if (judged.rendering.left_out > 0)
+        fmt::print("{} pixels of a frame were of a case left out: found again with all cases\n",
+                   judged.rendering.left_out);
+    if (!explanation) return;
+    fmt::print("\n{}", explanation_text(technique_family(options.technique), *explanation));
+    if (explanation->differing > 0)
+        throw Error("leaving cases out changed {} pixels", explanation->differing);
 }
 
 } // namespace
@@ -91,6 +128,13 @@ void add_render(CLI::App& app, Common& common) {
     verb->add_option("--technique", options->technique, "how visibility is found")
         ->check(CLI::IsMember(technique_names()))
         ->capture_default_str();
+    verb->add_option("--assembly", options->assembly,
+                     "which of the technique's cases its kernel holds: all, or those that a census of this "
+                     "very view finds")
+        ->check(CLI::IsMember({"full", "scene"}))
+        ->capture_default_str();
+    verb->add_flag("--explain", options->explain,
+                   "what leaving cases out is worth here: census, cases, instructions, times");
     add_view_options(*verb, options->view);
     verb->add_option("--shadow-map", options->shadow_map, "texels on a side of the shadow map")
         ->capture_default_str();

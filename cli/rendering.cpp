@@ -1,6 +1,6 @@
 #include "cli/rendering.h"
 
-#include "casegen/catalogue.h"
+#include "casegen/technique.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ std::vector<std::string> technique_names() {
 Technique technique_by_name(const std::string& name) {
     if (name == "none") return {Technique::Kind::none, name};
     if (name == "raytraced") return {Technique::Kind::raytraced, name};
-    return {Technique::Kind::kernel, name, technique_family(name).name};
+    return technique_of(technique_family(name));
 }
 
 double Judged::visibility_milliseconds() const {

@@ -151,6 +151,12 @@ Spirv compile(const Sources& sources, std::string_view text, std::string_view na
     return words;
 }
 
+Spirv compile_anew(const Sources& sources, std::string_view text, std::string_view name, Stage stage) {
+    Spirv words = translate(expand(sources, text, name), name, stage);
+    validate(words, name);
+    return words;
+}
+
 void warm_up() {
     translate("#version 460\nlayout(local_size_x = 1) in;\nvoid main() {}\n", "warm-up", Stage::compute);
 }

@@ -278,6 +278,28 @@ std::vector<double> Renderer::time_visibility(const std::vector<Technique>& tech
     return medians;
 }
 
+double Renderer::time_first_visibility(const Technique& technique) {
+    Impl& r = *impl_;
+    Stopwatch ignored;
+    r.draw_gbuffer(ignored);
+    r.draw_shadow_map(ignored);
+    const glsl::Spirv words = r.stage("visibility.comp", visibility_sources(r.sources, technique));
+    const auto run = [&](gpu::Kernel& kernel) {
+        r.device.run(kernel, {&r.frame_buffer, &r.receivers, &r.depth_texels, &r.visibility, &r.left_out},
+                     r.per_pixel());
+    };
+    const auto start = Clock::now();
+    gpu::Kernel kernel = r.device.kernel(words, technique.name);
+    run(kernel);
+    const double first = milliseconds_since(start);
+    const auto again = Clock::now();
+    run(kernel);
+    const double second = milliseconds_since(again);
+    constexpr std::uint32_t none = 0;
+    r.device.write(r.left_out, gpu::bytes_of(none));
+    return first - second;
+}
+
 const Surfaces& Renderer::surfaces() {
     impl_->read_receivers();
     return impl_->host_surfaces;

@@ -65,6 +65,10 @@ public:
     /// one more is discarded. Nothing falls back.
     std::vector<double> time_visibility(const std::vector<Technique>& techniques, int rounds);
 
+    /// Milliseconds from the technique's SPIR-V to the end of its first dispatch, less those of a second one:
+    /// what the driver takes to compile it, unless it has seen it before.
+    double time_first_visibility(const Technique& technique);
+
     const Surfaces& surfaces();
 
     /// Depth along the light's axis per texel, row-major: 0 at near, 1 at far and where there is nothing.

@@ -145,6 +145,38 @@ TEST(Render, TakesTheViewItIsGiven) {
     EXPECT_GT(json["pixels"]["covered"], 1000);
 }
 
+TEST(Render, ExplainsWhatLeavingCasesOutIsWorth) {
+    const TemporaryFolder folder;
+    const std::string report = folder.path() / "r.json";
+    const Ran ran = run_well(Arguments{"render", "--explain", "--assembly", "scene", "--camera-position",
+                                       "3,2,4", "--fov", "20", "--report", report} +
+                             small);
+    for (const char* what : {"smsr/case_12", "held", "left out", "instructions", "GLSL to SPIR-V", "driver",
+                             "visibility", "the same, bit for bit"})
+        EXPECT_THAT(ran.out, HasSubstr(what));
+    const nlohmann::json json = read_json(report), explanation = json["explanation"];
+    EXPECT_EQ(json["assembly"], "scene");
+    EXPECT_EQ(explanation["pixels_differing"], 0);
+    EXPECT_EQ(explanation["pixels_left_out"], 0);
+    EXPECT_EQ(explanation["held"].size() + explanation["left_out"].size(), 12u);
+    const double all = explanation["instructions"]["all"], reduced = explanation["instructions"]["reduced"];
+    EXPECT_GT(reduced, 100);
+    if (explanation["left_out"].empty())
+        EXPECT_EQ(reduced, all);
+    else
+        EXPECT_LT(reduced, all);
+    for (const char* time : {"compiler_milliseconds", "driver_milliseconds", "visibility_milliseconds"})
+        EXPECT_GT(explanation[time]["all"].get<double>(), 0) << time;
+}
+
+TEST(Render, OfAViewsOwnCasesIsTheSamePicture) {
+    const TemporaryFolder folder;
+    const std::string full = folder.path() / "full.png", scene = folder.path() / "scene.png";
+    run_well(Arguments{"render", "--image", full} + small);
+    run_well(Arguments{"render", "--image", scene, "--assembly", "scene"} + small);
+    EXPECT_EQ(read_file(full), read_file(scene));
+}
+
 TEST(Render, SaysThatItSeesNothing) {
     const TemporaryFolder folder;
     const std::string report = folder.path() / "r.json", image = folder.path() / "i.png";
@@ -324,6 +356,9 @@ TEST(Render, RefusesBadOptions) {
         {{"--bias", "nan"}, "--bias"},
         {{"--technique", "wrong"}, "--technique"},
         {{"--receiver", "sphere"}, "--receiver"},
+        {{"--assembly", "half"}, "--assembly"},
+        {{"--assembly", "scene", "--technique", "nsm"}, "numbered cases"},
+        {{"--explain", "--technique", "raytraced"}, "numbered cases"},
         {{"--frames", "0"}, "--frames"},
         {{"--frames", "-1"}, "--frames"},
         {{"--colour", "red"}, "--colour"},
