@@ -3,32 +3,24 @@
 // flips, that way ends. Of two equally near breaches one without walls wins, and different walls make BOTH.
 // UNBROKEN if 16 texels hold none.   [RBSM supplement, 3; docs/revectorization.md 1.6; docs/decisions.md, A5]
 #include "revectorize/breach.glslh"
-#include "revectorize/discontinuity.glsl"
 #include "revectorize/walk.glsl"
+#include "revectorize/walls.glslh"
 
 uint revectorize_breach(ivec2 texel, uvec2 sides) {
-    bool along_y = sides.x == BOTH;
+    ivec2 along = sides.x == BOTH ? ivec2(0, 1) : ivec2(1, 0);
+    uint closed = sides.x == BOTH ? sides.y : sides.x;
     bool start = lit(texel);
-    uint closed = along_y ? sides.y : sides.x;
-    bvec2 open = bvec2((closed & MINUS) == 0u, (closed & PLUS) == 0u); // ways still followed, towards - and +
-    for (int k = 1; k <= LONGEST_WALK; ++k) {
-        uint found = UNBROKEN;
-        for (int way = 0; way < 2; ++way) {
-            if (!open[way]) continue;
-            int steps = way == 0 ? -k : k;
-            ivec2 reached = texel + (along_y ? ivec2(0, steps) : ivec2(steps, 0));
-            if (lit(reached) != start) {
-                open[way] = false;
-                continue;
-            }
-            uvec2 there = revectorize_discontinuity(reached);
-            uint walls = along_y ? there.x : there.y;
-            if (walls == BOTH) continue;
-            if (found == UNBROKEN) found = walls;
-            else found = found == NEITHER || walls == NEITHER ? NEITHER : found | walls;
-        }
-        if (found != UNBROKEN) return found;
-        if (!any(open)) break;
+    bool to_minus = (closed & MINUS) == 0u, to_plus = (closed & PLUS) == 0u; // ways still followed
+    for (int k = 1; k <= LONGEST_WALK && (to_minus || to_plus); ++k) {
+        ivec2 minus = texel - k * along, plus = texel + k * along;
+        to_minus = to_minus && lit(minus) == start;
+        to_plus = to_plus && lit(plus) == start;
+        uint walls_minus = to_minus ? walls_of(minus, along.yx, start) : BOTH;
+        uint walls_plus = to_plus ? walls_of(plus, along.yx, start) : BOTH;
+        if (walls_minus == BOTH && walls_plus == BOTH) continue;
+        if (walls_minus == BOTH) return walls_plus;
+        if (walls_plus == BOTH) return walls_minus;
+        return walls_minus == NEITHER || walls_plus == NEITHER ? NEITHER : walls_minus | walls_plus;
     }
     return UNBROKEN;
 }
