@@ -87,9 +87,11 @@ constexpr std::size_t least_rehearsed = 4096;
 
 } // namespace
 
-glsl::Sources kernel_sources(const std::filesystem::path& kernels, unsigned rsmss_options) {
+glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Readings& readings) {
     glsl::Sources sources{kernels, generated_sources()};
-    sources.generated["rsmss/options"] = fmt::format("const uint RSMSS_OPTIONS = {}u;\n", rsmss_options);
+    sources.generated["rsmss/options"] = fmt::format("const uint RSMSS_OPTIONS = {}u;\n", readings.rsmss);
+    sources.generated["pipeline/options"] =
+        fmt::format("const bool FLIP_ISOLATED = {};\n", readings.flip_isolated);
     return sources;
 }
 

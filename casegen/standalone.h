@@ -3,6 +3,7 @@
 #pragma once
 
 #include "casegen/kernel_case.h"
+#include "casegen/readings.h"
 #include "casegen/sampling.h"
 #include "runtime/glsl/compiler.h"
 #include "runtime/gpu/device.h"
@@ -16,7 +17,7 @@
 namespace gnomon {
 
 /// Where kernels come from: the folder, and what the catalogue generates.
-glsl::Sources kernel_sources(const std::filesystem::path& kernels, unsigned rsmss_options = 0);
+glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Readings& readings = {});
 
 /// The compute shader around `c`: includes its file, reads a record, writes the result's words.
 std::string standalone_source(const Case& c);

@@ -25,6 +25,7 @@ struct Options {
     std::string scene, technique = "smsr", assembly = "full";
     bool explain = false;
     ViewOptions view;
+    std::vector<std::string> readings;
     int shadow_map = 1024, frames = 5;
     std::filesystem::path report, image, errors;
 };
@@ -57,13 +58,14 @@ void run(const Options& options, const Common& common) {
         throw Error("--{} needs a technique with numbered cases: {}; {} has none",
                     options.explain ? "explain" : "assembly scene", fmt::join(numbered, ", "),
                     options.technique);
+    const Readings readings = readings_for(options.technique, options.readings);
     const Scene scene = scene_of(options.scene);
     const auto [camera, light, settings] = view_of(options.view, options.shadow_map, scene);
     require_outputs(options);
 
     Progress progress("rendering");
     gpu::Device device(common.device);
-    Renderer renderer(device, kernel_sources(common.kernels), scene, camera, light, settings);
+    Renderer renderer(device, kernel_sources(common.kernels, readings), scene, camera, light, settings);
     const Technique truth_technique = technique_by_name("raytraced");
     progress.show(0, 2);
     const Rendering truth = renderer.render(truth_technique, options.frames);
@@ -76,8 +78,8 @@ void run(const Options& options, const Common& common) {
         const Counts counts = renderer.census(technique);
         const Assembly assembly = assembly_of(family, counts);
         if (options.explain)
-            explanation = explain(renderer, kernel_sources(common.kernels), family, counts, assembly,
-                                  std::max(options.frames, 15));
+            explanation = explain(renderer, kernel_sources(common.kernels, readings), family, counts,
+                                  assembly, std::max(options.frames, 15));
         if (options.assembly == "scene") technique = technique_of(family, assembly);
     }
     judged.rendering = options.technique == "raytraced" ? truth : renderer.render(technique, options.frames);
@@ -96,6 +98,7 @@ void run(const Options& options, const Common& common) {
                                   {"view", view_json(camera, light, settings)}};
     report.update(judged_json(judged));
     report["assembly"] = options.assembly;
+    if (readings != Readings{}) report["readings"] = to_string(readings);
     if (explanation)
         report["explanation"] = explanation_json(technique_family(options.technique), *explanation);
     if (!options.report.empty())
@@ -135,6 +138,7 @@ void add_render(CLI::App& app, Common& common) {
         ->capture_default_str();
     verb->add_flag("--explain", options->explain,
                    "what leaving cases out is worth here: census, cases, instructions, times");
+    add_reading_option(*verb, options->readings);
     add_view_options(*verb, options->view);
     verb->add_option("--shadow-map", options->shadow_map, "texels on a side of the shadow map")
         ->capture_default_str();

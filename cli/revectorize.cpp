@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/report.h"
+#include "cli/view.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
 #include "runtime/image.h"
@@ -24,6 +25,7 @@ struct Options {
     std::filesystem::path mask, samples;
     std::vector<std::filesystem::path> out;
     std::string technique = "smsr", outside = "clamp";
+    std::vector<std::string> readings;
     int scale = 16;
 };
 
@@ -35,14 +37,11 @@ struct Point {
 /// A technique's kernels over one mask.
 class Technique {
 public:
-    Technique(const std::string& name, const Common& common, const Mask& mask)
-        : mask_(mask), visibility_(find_case(name + "/visibility")), device_(common.device),
-          sources_(kernel_sources(common.kernels)),
-          visibility_kernel_(device_.kernel(compile_standalone(visibility_, sources_), visibility_.name)) {
-        for (const Family& family : catalogue())
-            for (const Case& c : family.cases)
-                if (c.name == name + "/number") number_ = &c;
-    }
+    Technique(const std::string& name, const Readings& readings, const Common& common, const Mask& mask)
+        : mask_(mask), visibility_(*find_kernel(technique_family(name), "visibility")),
+          number_(find_kernel(technique_family(name), "number")), device_(common.device),
+          sources_(kernel_sources(common.kernels, readings)),
+          visibility_kernel_(device_.kernel(compile_standalone(visibility_, sources_), visibility_.name)) {}
 
     std::vector<float> visibility(std::span<const Point> points) {
         std::vector<float> result;
@@ -77,7 +76,7 @@ private:
 
     const Mask& mask_;
     const Case& visibility_;
-    const Case* number_ = nullptr;
+    const Case* number_;
     gpu::Device device_;
     glsl::Sources sources_;
     gpu::Kernel visibility_kernel_;
@@ -153,8 +152,10 @@ void run(const Options& options, const Common& common) {
                     table->string());
     if (!image && options.samples.empty())
         throw Error("revectorize needs --out IMAGE.png, or --samples IN.csv, or both");
+    const Readings readings = readings_for(options.technique, options.readings);
     Mask mask = load_mask(options.mask);
     mask.outside = parse_outside(options.outside, "--outside");
+    if (readings.flip_isolated) mask = without_isolated(mask);
     Csv csv;
     std::vector<Point> points;
     if (!options.samples.empty()) {
@@ -165,7 +166,7 @@ void run(const Options& options, const Common& common) {
         if (output) require_writable(*output);
 
     // Whatever can go wrong does so before the first file is written.
-    Technique technique(options.technique, common, mask);
+    Technique technique(options.technique, readings, common, mask);
     Image drawn;
     if (image) drawn = image_of(technique, mask, options.scale);
     std::string text;
@@ -190,6 +191,7 @@ void add_revectorize(CLI::App& app, Common& common) {
     verb->add_option("--technique", options->technique, "what to run")
         ->check(CLI::IsMember(visibility_techniques()))
         ->capture_default_str();
+    add_reading_option(*verb, options->readings);
     verb->add_option("--outside", options->outside, "what lies beyond the mask: clamp, lit or shadow")
         ->check(CLI::IsMember({"clamp", "lit", "shadow"}))
         ->capture_default_str();

@@ -1,10 +1,12 @@
 #include "cli/view.h"
 
 #include "casegen/demo_scene.h"
+#include "casegen/readings.h"
 #include "cli/parse.h"
 #include "runtime/error.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace gnomon::cli {
 namespace {
@@ -21,6 +23,20 @@ glm::vec3 towards_centre(const Scene& scene, glm::vec3 position, const char* wha
 
 CLI::Validator not_empty() {
     return CLI::Validator([](std::string& value) { return value.empty() ? "is empty" : ""; }, "");
+}
+
+void add_reading_option(CLI::App& verb, std::vector<std::string>& settings) {
+    std::string names;
+    for (const Reading& reading : readings())
+        names +=
+            fmt::format("{}{}={}", names.empty() ? "" : ", ", reading.name, fmt::join(reading.values, "|"));
+    verb.add_option(
+            "--reading", settings,
+            "NAME=VALUE: how RSMSS's document is read where it is open (docs/decisions.md; the first value "
+            "is the default): " +
+                names)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_view_options(CLI::App& verb, ViewOptions& options) {

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gnomon::cli {
 
@@ -31,6 +32,9 @@ View view_of(const ViewOptions& options, int shadow_map, const Scene& scene);
 
 /// The demo scene for an empty path. Prints the file's warnings.
 Scene scene_of(const std::string& path);
+
+/// --reading NAME=VALUE, as often as one likes; readings_for reads them.
+void add_reading_option(CLI::App& verb, std::vector<std::string>& settings);
 
 /// A check for options that must not be "".
 CLI::Validator not_empty();
