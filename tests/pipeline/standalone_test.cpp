@@ -2,9 +2,10 @@
 #include "casegen/catalogue.h"
 #include "casegen/demo_scene.h"
 #include "casegen/standalone.h"
+#include "casegen/technique.h"
 #include "tests/pipeline/view.h"
+#include "tests/support/case_chain.h"
 #include "tests/support/device.h"
-#include "tests/support/smsr_chain.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,7 +32,6 @@ struct Pixel {
     std::uint32_t index;
     glm::vec2 p;
     Mask mask;
-    unsigned number; ///< by the host's reference
 };
 
 std::vector<Pixel> pixels_of(Renderer& renderer, const View& view) {
@@ -44,9 +44,8 @@ std::vector<Pixel> pixels_of(Renderer& renderer, const View& view) {
         EXPECT_EQ(captures[i].texel, glm::ivec2(glm::floor(map))) << "pixel " << asked[i];
         EXPECT_EQ(captures[i].p, map - glm::floor(map)) << "pixel " << asked[i];
         Mask mask = mask_of(captures[i], std::array{Outside::clamp, Outside::lit, Outside::shadow}[i % 3]);
-        const Case* c = mask.lit(centre.x, centre.y) ? smsr_case_of(reference::edge(mask, centre)) : nullptr;
-        const unsigned number = c ? c->number : 0;
-        if (number != 0 || i % 7 == 0) pixels.push_back({asked[i], captures[i].p, std::move(mask), number});
+        const bool edge = reference::discontinuity(mask, centre) != glm::uvec2(0);
+        if (edge || i % 7 == 0) pixels.push_back({asked[i], captures[i].p, std::move(mask)});
     }
     return pixels;
 }
@@ -74,33 +73,46 @@ void expect_same(const std::vector<Pixel>& pixels, const std::vector<std::uint32
     EXPECT_EQ(differing, 0u) << what << ", of " << pixels.size();
 }
 
-/// Pixels by the number of their case.
-std::map<unsigned, std::size_t> compare(const View& view) {
+/// By technique, how many pixels were of each case; 0 is none.
+using Met = std::map<std::string, std::map<unsigned, std::size_t>>;
+
+/// Every technique's kernels, in the pipeline and alone; and the numbers against the cases' own conditions.
+void compare(const View& view, Met& met) {
     const Scene scene = demo_scene();
     const auto renderer = make_renderer(scene, view);
     const std::vector<Pixel> pixels = pixels_of(*renderer, view);
     EXPECT_GT(pixels.size(), 2000u);
-
-    expect_same(pixels, alone("nsm/visibility", pixels, true), visibility(*renderer, nsm), "nsm");
-    expect_same(pixels, alone("smsr/visibility", pixels, true), visibility(*renderer, smsr), "smsr");
-    const std::vector<std::uint32_t> numbers = alone("smsr/number", pixels, false);
-    std::map<unsigned, std::size_t> counts;
-    std::size_t differing = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        ++counts[pixels[i].number];
-        if (numbers[i] != pixels[i].number && differing++ == 0)
-            ADD_FAILURE() << "case " << numbers[i] << ", by the reference " << pixels[i].number << ", over\n"
-                          << format_mask(pixels[i].mask, '\n');
+    for (const std::string& name : visibility_techniques()) {
+        const Family& family = technique_family(name);
+        expect_same(pixels, alone(find_kernel(family, "visibility")->name, pixels, true),
+                    visibility(*renderer, technique_of(family)), name.c_str());
+        const Case* number_kernel = find_kernel(family, "number");
+        if (!number_kernel) continue;
+        const CaseChain chain(family.name);
+        const std::vector<std::uint32_t> numbers = alone(number_kernel->name, pixels, false);
+        std::size_t differing = 0;
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            const Case* c = chain.case_of(reference::edge(pixels[i].mask, glm::ivec2(Capture::radius)));
+            const unsigned wanted = c ? c->number : 0;
+            ++met[name][wanted];
+            if (numbers[i] != wanted && differing++ == 0)
+                ADD_FAILURE() << name << ": case " << numbers[i] << ", by the reference " << wanted
+                              << ", over\n"
+                              << format_mask(pixels[i].mask, '\n');
+        }
+        EXPECT_EQ(differing, 0u) << name;
     }
-    EXPECT_EQ(differing, 0u);
-    fmt::print("pixels by case: {}\n", counts);
-    return counts;
 }
 
-/// Every case of the twelve must have been compared, and nothing (0) too.
-void expect_all_cases(const std::map<unsigned, std::size_t>& counts) {
-    for (unsigned number = 0; number <= 12; ++number)
-        EXPECT_TRUE(counts.contains(number)) << "no pixel is of case " << number;
+/// Every case must have been compared, and nothing (0) too.
+void expect_all_cases(const Met& met) {
+    for (const auto& [name, counts] : met) {
+        fmt::print("{}: pixels by case: {}\n", name, counts);
+        EXPECT_TRUE(counts.contains(0)) << name;
+        for (const Case* c : numbered_cases(technique_family(name)))
+            EXPECT_TRUE(counts.contains(c->number)) << "no pixel is of " << c->name;
+    }
+    EXPECT_EQ(met.size(), numbered_techniques().size());
 }
 
 /// The window of a pixel, worked out here from the shadow map, the pixel's plane and the bias; beyond the map
@@ -157,18 +169,21 @@ TEST(Capture, OfNoPixelIsEmpty) {
     EXPECT_TRUE(make_renderer(scene, demo_view(16, 12, 16))->capture({}).empty());
 }
 
-TEST(PipelineEqualsStandalone, WithADirectionalLight) { expect_all_cases(compare(demo_view(320, 240, 256))); }
-
-TEST(PipelineEqualsStandalone, WithALamp) { expect_all_cases(compare(demo_view_with_lamp(320, 240, 256))); }
+TEST(PipelineEqualsStandalone, WithTheSunAndWithALamp) {
+    Met met;
+    compare(demo_view(320, 240, 256), met);
+    compare(demo_view_with_lamp(320, 240, 256), met);
+    compare(demo_view(320, 240, 48), met); // a coarse map, whose border is in sight
+    expect_all_cases(met);
+}
 
 TEST(PipelineEqualsStandalone, WithTheReceiversDepthAlone) {
     for (View view : {demo_view(320, 240, 256), demo_view_with_lamp(320, 240, 256)}) {
         view.settings.receiver_plane = false;
-        compare(view);
+        Met met;
+        compare(view, met);
     }
 }
-
-TEST(PipelineEqualsStandalone, OverACoarseMapWhoseBorderIsInSight) { compare(demo_view(320, 240, 48)); }
 
 } // namespace
 } // namespace gnomon::testing
