@@ -102,6 +102,11 @@ Readings readings_for(const std::string& technique, const std::vector<std::strin
     return chosen;
 }
 
+std::map<std::string, std::string> reading_sources(const Readings& chosen) {
+    return {{"rsmss/options", fmt::format("const uint RSMSS_OPTIONS = {}u;\n", chosen.rsmss)},
+            {"pipeline/options", fmt::format("const bool FLIP_ISOLATED = {};\n", chosen.flip_isolated)}};
+}
+
 std::string to_string(const Readings& chosen) {
     std::vector<std::string> parts;
     for (const Reading& reading : readings())

@@ -2,6 +2,7 @@
 // costs. docs/decisions.md says why the first value of each is the default.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ Readings parse_readings(const std::vector<std::string>& settings);
 
 /// The same for one technique. Throws Error if a reading that is RSMSS's alone is asked of another.
 Readings readings_for(const std::string& technique, const std::vector<std::string>& settings);
+
+/// What kernels include by <> for them: <rsmss/options> and <pipeline/options>.
+std::map<std::string, std::string> reading_sources(const Readings& chosen);
 
 /// "bar=ramp breach-tie=first": those that are not the default; empty if all are.
 std::string to_string(const Readings& chosen);

@@ -89,9 +89,7 @@ constexpr std::size_t least_rehearsed = 4096;
 
 glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Readings& readings) {
     glsl::Sources sources{kernels, generated_sources()};
-    sources.generated["rsmss/options"] = fmt::format("const uint RSMSS_OPTIONS = {}u;\n", readings.rsmss);
-    sources.generated["pipeline/options"] =
-        fmt::format("const bool FLIP_ISOLATED = {};\n", readings.flip_isolated);
+    sources.generated.merge(reading_sources(readings));
     return sources;
 }
 
