@@ -1,12 +1,12 @@
 // gnomon revectorize.
 #include "casegen/csv.h"
 #include "casegen/mask.h"
-#include "casegen/reference/mask_space.h"
 #include "runtime/files.h"
 #include "runtime/image.h"
 #include "tests/pipeline/cli.h"
 #include "tests/support/environment.h"
 #include "tests/support/smsr_chain.h"
+#include "tests/support/techniques.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -200,6 +201,92 @@ TEST(Revectorize, NumbersTheWitnessesOfAllCases) {
         seen.insert(number);
     }
     EXPECT_EQ(seen.size(), 12u);
+}
+
+/// What the search found for every way through the 31 cases.
+TEST(Revectorize, NumbersTheWitnessesOfAllBranchesOfRsmss) {
+    const TemporaryFolder folder;
+    std::istringstream lines(read_file(fixtures_folder() / "witnesses" / "rsmss_branches.txt"));
+    std::map<std::pair<std::string, std::string>, std::vector<std::pair<unsigned, glm::ivec2>>> by_mask;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("//")) continue;
+        std::istringstream words(line.substr(line.find(": ") + 2));
+        std::string outside, rows;
+        glm::ivec2 texel(0);
+        char comma = 0;
+        words >> outside >> texel.x >> comma >> texel.y >> rows;
+        const auto number = static_cast<unsigned>(std::stoi(line.substr(std::string("rsmss/case_").size())));
+        std::ranges::replace(rows, '/', '\n');
+        by_mask[{rows, outside}].emplace_back(number, texel);
+    }
+    std::set<unsigned> seen;
+    for (const auto& [mask, expected] : by_mask) {
+        if (std::ranges::all_of(expected, [&](const auto& e) { return seen.contains(e.first); })) continue;
+        std::string in = "x,y,px,py\n";
+        for (const auto& [number, texel] : expected)
+            in += fmt::format("{},{},0.25,0.625\n", texel.x, texel.y);
+        const Ran ran = run_well({"revectorize", folder.write("mask.txt", mask.first), "--technique", "rsmss",
+                                  "--outside", mask.second, "--samples", folder.write("in.csv", in)});
+        const Csv csv = parse_csv(ran.out, mask.first);
+        Mask parsed = parse_mask(mask.first, '\n', "witness");
+        parsed.outside = parse_outside(mask.second, "witness");
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            EXPECT_EQ(csv.rows.at(i).at(csv.column("case")), std::to_string(expected[i].first)) << mask.first;
+            EXPECT_NEAR(
+                std::stod(csv.rows.at(i).at(csv.column("visibility"))),
+                reference::rsmss_visibility_in_mask_space(parsed, expected[i].second, {0.25, 0.625}, 0), 1e-6)
+                << mask.first;
+            seen.insert(expected[i].first);
+        }
+    }
+    EXPECT_EQ(seen.size(), 31u);
+}
+
+TEST(Revectorize, FiltersAndShapesAgreeWithTheirReferences) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("mask.txt", shapes);
+    const Mask mask = load_mask(path);
+    std::string in = "x,y,px,py\n";
+    std::vector<glm::ivec2> texels;
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x) {
+            in += fmt::format("{},{},0.3,0.8\n", x, y);
+            texels.emplace_back(x, y);
+        }
+    const std::string samples = folder.write("in.csv", in);
+    for (const ReferenceTechnique& technique : {rsmss, rbsm_silhouette, rbsm_filter}) {
+        const Ran ran = run_well({"revectorize", path, "--technique", technique.name, "--samples", samples});
+        const Csv csv = parse_csv(ran.out, technique.name);
+        std::size_t grey = 0;
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+            const double got = std::stod(csv.rows.at(i).at(csv.column("visibility")));
+            EXPECT_NEAR(got, technique.visibility(mask, texels[i], {0.3, 0.8}), 1e-6) << technique.name << i;
+            grey += got > 0 && got < 1 ? 1 : 0;
+        }
+        EXPECT_EQ(grey > 0, technique.name != std::string("rbsm-silhouette")) << technique.name;
+    }
+}
+
+TEST(Revectorize, ReadsTheDocumentAsAsked) {
+    const TemporaryFolder folder;
+    const std::string bar = folder.write("bar.txt", "...\n.#.\n.#.\n...\n");
+    const std::string samples = folder.write("in.csv", "x,y,px,py\n1,1,0.25,0.5\n");
+    const auto value = [&](const Arguments& readings) {
+        const Ran ran =
+            run_well(Arguments{"revectorize", bar, "--technique", "rsmss", "--samples", samples} + readings);
+        return parse_csv(ran.out, "out").rows.at(0).back();
+    };
+    EXPECT_EQ(value({}), "0");
+    EXPECT_EQ(value({"--reading", "bar=ramp"}), "0.75");
+    EXPECT_EQ(value({"--reading", "bar=ramp", "--reading", "bar=dark"}), "0");
+    expect_refused(folder,
+                   {"revectorize", bar, "--technique", "rsmss", "--samples", samples, "--reading", "bar=no"},
+                   "bar is one of dark, ramp");
+    expect_refused(folder, {"revectorize", bar, "--samples", samples, "--reading", "bar=ramp"},
+                   "only --technique rsmss");
+    const std::string dot = folder.write("dot.txt", "...\n.#.\n...\n");
+    EXPECT_EQ(picture(folder, dot, {"--technique", "nsm", "--scale", "1", "--reading", "isolated=flipped"}),
+              "...\n...\n...\n");
 }
 
 TEST(Revectorize, WritesAPictureAndATableAtOnce) {
