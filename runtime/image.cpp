@@ -45,12 +45,12 @@ Image read_png(const std::filesystem::path& path) {
     return image;
 }
 
-void write_png(const std::filesystem::path& path, const Image& image) {
+std::string encode_png(const Image& image) {
     const auto side_is_valid = [](int side) { return side > 0 && side <= static_cast<int>(max_side); };
     if (!side_is_valid(image.width) || !side_is_valid(image.height) ||
         image.pixels.size() != image.index(0, image.height))
-        throw Error("cannot write '{}': an image of {} x {} with {} pixels is not a picture", path.string(),
-                    image.width, image.height, image.pixels.size());
+        throw Error("an image of {} x {} with {} pixels is not a picture", image.width, image.height,
+                    image.pixels.size());
     PngImage png;
     png.image.width = static_cast<png_uint_32>(image.width);
     png.image.height = static_cast<png_uint_32>(image.height);
@@ -59,8 +59,18 @@ void write_png(const std::filesystem::path& path, const Image& image) {
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png.image);
     std::string bytes(size, '\0');
     if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr) == 0)
-        throw Error("cannot write '{}': {}", path.string(), png.image.message);
+        throw Error("an image cannot be made a PNG file: {}", png.image.message);
     bytes.resize(size);
+    return bytes;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+    std::string bytes;
+    try {
+        bytes = encode_png(image);
+    } catch (const Error& error) {
+        throw Error("cannot write '{}': {}", path.string(), error.what());
+    }
     write_file(path, bytes);
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace gnomon {
@@ -34,6 +35,9 @@ struct Image {
 /// that states a gamma other than sRGB's is converted; one that states none is taken as sRGB. Throws Error
 /// naming the file if it is missing, not a PNG, damaged, or larger than 16384 on a side.
 Image read_png(const std::filesystem::path& path);
+
+/// The bytes of a PNG file. Throws Error if the image has no pixels, or more than 16384 on a side.
+std::string encode_png(const Image& image);
 
 /// Writes atomically (see write_file). Throws Error naming the file.
 void write_png(const std::filesystem::path& path, const Image& image);
