@@ -51,7 +51,9 @@ bool holds(const Conditions& conditions, const reference::Edge& edge);
 /// && …"; what every edge satisfies by its other members is asked for too.
 std::string to_glsl(const Conditions& conditions);
 
-/// "lit; a side on y only, -y or +y; the run along x is closed": conjunctions parted by "; or ".
+/// "a lit texel with shadow towards +y and none along x; the run along x ends once". A run is open if it ends
+/// nowhere. Conjunctions are parted by "; or ".
+std::string in_words(const Condition& condition);
 std::string in_words(const Conditions& conditions);
 
 } // namespace gnomon
