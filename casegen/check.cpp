@@ -281,4 +281,29 @@ std::string replay_command(const Case& c, const Finding& finding, const std::str
     return fmt::format("gnomon eval {}{} --reference --at '{}'", c.name, options, fmt::join(cells, ","));
 }
 
+std::vector<std::string> explain(const CheckReport& report, const std::string& options) {
+    const Case& c = *report.kernel;
+    std::vector<std::string> lines;
+    if (!report.message.empty()) lines.push_back(report.message);
+    if (report.worst && report.verdict != Verdict::stray_write && report.verdict != Verdict::unstable) {
+        const Finding& f = *report.worst;
+        lines.push_back(format_call(c, f.input, f.mask ? &*f.mask : nullptr));
+        const std::string want = f.in_domain
+                                     ? format_result(c, f.want)
+                                     : fmt::format("anything from {:g} to {:g} (input outside the domain)",
+                                                   c.result.lower, c.result.upper);
+        lines.push_back(fmt::format("got {}, want {}, allowed {}", format_result(c, f.got), want,
+                                    to_string(c.tolerance)));
+        lines.push_back(replay_command(c, f, options));
+    }
+    if (report.verdict == Verdict::wrong)
+        lines.push_back(
+            fmt::format("{} of {} samples fail; seed {:#x}", report.failures, report.samples, report.seed));
+    return lines;
+}
+
+std::string format_error(double error) {
+    return error == 0 ? "0" : std::isinf(error) ? "none finite" : fmt::format("{:.3g}", error);
+}
+
 } // namespace gnomon

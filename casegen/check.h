@@ -73,4 +73,11 @@ std::string format_result(const Case& c, const Numbers& numbers);
 /// own that it needs for that, each behind a blank (" --kernels 'mine'").
 std::string replay_command(const Case& c, const Finding& finding, const std::string& options = {});
 
+/// What a person needs to know of a kernel that fails, line by line: message, call, got and want, replay
+/// command with `options`, number of failures.
+std::vector<std::string> explain(const CheckReport& report, const std::string& options = {});
+
+/// "0", "5.96e-08", "none finite".
+std::string format_error(double error);
+
 } // namespace gnomon

@@ -9,29 +9,10 @@
 namespace gnomon::cli {
 namespace {
 
-std::string error_text(double error) {
-    return error == 0 ? "0" : std::isinf(error) ? "none finite" : fmt::format("{:.3g}", error);
-}
-
 /// The finding's lines of a report, each behind two blanks.
 std::string finding_text(const CheckReport& report, const std::string& options) {
-    const Case& c = *report.kernel;
     std::string text;
-    if (!report.message.empty()) text += fmt::format("  {}\n", report.message);
-    if (report.worst && report.verdict != Verdict::stray_write && report.verdict != Verdict::unstable) {
-        const Finding& f = *report.worst;
-        text += fmt::format("  {}\n", format_call(c, f.input, f.mask ? &*f.mask : nullptr));
-        const std::string want = f.in_domain
-                                     ? format_result(c, f.want)
-                                     : fmt::format("anything from {:g} to {:g} (input outside the domain)",
-                                                   c.result.lower, c.result.upper);
-        text += fmt::format("  got {}, want {}, allowed {}\n", format_result(c, f.got), want,
-                            to_string(c.tolerance));
-        text += fmt::format("  {}\n", replay_command(c, f, options));
-    }
-    if (report.verdict == Verdict::wrong)
-        text += fmt::format("  {} of {} samples fail; seed {:#x}\n", report.failures, report.samples,
-                            report.seed);
+    for (const std::string& line : explain(report, options)) text += fmt::format("  {}\n", line);
     return text;
 }
 
@@ -66,10 +47,11 @@ std::string check_text(std::span<const CheckReport> reports, const std::string& 
     std::size_t failed = 0;
     for (const CheckReport& report : reports) {
         const bool ran = report.worst.has_value();
-        text += fmt::format("{:<{}}  {:<13}  {:>9}  {:>11}  {:<22}  {:>7}  {:#018x}\n", report.kernel->name,
-                            width, report.verdict == Verdict::pass ? "pass" : "FAIL", report.samples,
-                            ran ? error_text(report.worst->error) : "-", to_string(report.kernel->tolerance),
-                            ran ? fmt::format("{:.1f}", report.nanoseconds) : "-", report.seed);
+        text +=
+            fmt::format("{:<{}}  {:<13}  {:>9}  {:>11}  {:<22}  {:>7}  {:#018x}\n", report.kernel->name,
+                        width, report.verdict == Verdict::pass ? "pass" : "FAIL", report.samples,
+                        ran ? format_error(report.worst->error) : "-", to_string(report.kernel->tolerance),
+                        ran ? fmt::format("{:.1f}", report.nanoseconds) : "-", report.seed);
         if (report.verdict == Verdict::pass && report.worst && report.worst->error > 0)
             text += fmt::format("  worst at {}\n",
                                 format_call(*report.kernel, report.worst->input,
