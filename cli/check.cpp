@@ -1,6 +1,7 @@
 #include "casegen/check.h"
 
 #include "cli/commands.h"
+#include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "runtime/error.h"
@@ -18,27 +19,6 @@ struct Options {
     std::size_t samples = 65536;
     unsigned jobs = 0;
 };
-
-std::optional<std::uint64_t> parse_seed(const std::string& text) {
-    if (text.empty()) return {};
-    std::size_t used = 0;
-    try {
-        const std::uint64_t seed = std::stoull(text, &used, 0);
-        if (used == text.size() && text.front() != '-') return seed;
-    } catch (const std::exception&) {
-        used = 0;
-    }
-    throw Error("--seed is \"{}\"; a whole number below 2^64 is needed, decimal or 0x…", text);
-}
-
-/// What a command that replays a finding must say besides: these kernels, this device.
-std::string replay_options(const CLI::App& app) {
-    std::string text;
-    for (const char* option : {"--kernels", "--device"})
-        if (app.count(option) > 0)
-            text += fmt::format(" {} '{}'", option, app.get_option(option)->as<std::string>());
-    return text;
-}
 
 int run(const Options& options, const Common& common, const std::string& replay) {
     const std::vector<const Case*> cases = find_cases(options.pattern);

@@ -35,4 +35,24 @@ std::pair<int, int> parse_size(const std::string& text, const char* option) {
     return {number(view.substr(0, x)), number(view.substr(x == std::string::npos ? view.size() : x + 1))};
 }
 
+std::optional<std::uint64_t> parse_seed(const std::string& text) {
+    if (text.empty()) return {};
+    std::size_t used = 0;
+    try {
+        const std::uint64_t seed = std::stoull(text, &used, 0);
+        if (used == text.size() && text.front() != '-') return seed;
+    } catch (const std::exception&) {
+        used = 0;
+    }
+    throw Error("--seed is \"{}\"; a whole number below 2^64 is needed, decimal or 0x…", text);
+}
+
+std::string replay_options(const CLI::App& app) {
+    std::string text;
+    for (const char* option : {"--kernels", "--device"})
+        if (app.count(option) > 0)
+            text += fmt::format(" {} '{}'", option, app.get_option(option)->as<std::string>());
+    return text;
+}
+
 } // namespace gnomon::cli

@@ -1,8 +1,11 @@
 // Option values with a shape of their own.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,5 +16,11 @@ glm::vec3 parse_vector(const std::string& text, const char* option);
 
 /// "1024x768". Throws Error naming the option.
 std::pair<int, int> parse_size(const std::string& text, const char* option);
+
+/// "7", "0x1f"; nothing for an empty text. Throws Error if it is not a whole number below 2^64.
+std::optional<std::uint64_t> parse_seed(const std::string& text);
+
+/// What a command that replays a finding must say besides: these kernels, this device.
+std::string replay_options(const CLI::App& app);
 
 } // namespace gnomon::cli
