@@ -281,7 +281,7 @@ std::string replay_command(const Case& c, const Finding& finding, const std::str
     return fmt::format("gnomon eval {}{} --reference --at '{}'", c.name, options, fmt::join(cells, ","));
 }
 
-std::vector<std::string> explain(const CheckReport& report, const std::string& options) {
+std::vector<std::string> explain_failure(const CheckReport& report, const std::string& options) {
     const Case& c = *report.kernel;
     std::vector<std::string> lines;
     if (!report.message.empty()) lines.push_back(report.message);

@@ -75,7 +75,7 @@ std::string replay_command(const Case& c, const Finding& finding, const std::str
 
 /// What a person needs to know of a kernel that fails, line by line: message, call, got and want, replay
 /// command with `options`, number of failures.
-std::vector<std::string> explain(const CheckReport& report, const std::string& options = {});
+std::vector<std::string> explain_failure(const CheckReport& report, const std::string& options = {});
 
 /// "0", "5.96e-08", "none finite".
 std::string format_error(double error);

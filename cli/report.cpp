@@ -12,7 +12,7 @@ namespace {
 /// The finding's lines of a report, each behind two blanks.
 std::string finding_text(const CheckReport& report, const std::string& options) {
     std::string text;
-    for (const std::string& line : explain(report, options)) text += fmt::format("  {}\n", line);
+    for (const std::string& line : explain_failure(report, options)) text += fmt::format("  {}\n", line);
     return text;
 }
 

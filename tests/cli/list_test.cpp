@@ -61,6 +61,7 @@ TEST(program, helps) {
                                                 {"list", "--help"},
                                                 {"describe", "--help"},
                                                 {"revectorize", "--help"},
+                                                {"atlas", "--help"},
                                                 {"render", "--help"}})
         EXPECT_THAT(run_well(arguments).out, HasSubstr("--help")) << arguments.front();
 }

@@ -1,0 +1,15 @@
+// An atlas as one HTML page that needs no network: style, script and pictures are part of it.
+#pragma once
+
+#include "casegen/atlas/atlas.h"
+
+#include <filesystem>
+#include <string>
+
+namespace gnomon::atlas {
+
+/// Same atlas, same page. `kernels` leads from the page to the folder of the kernels' files, for links; empty
+/// if it cannot. `replay`: see replay_command.
+std::string page(const Atlas& atlas, const std::string& kernels, const std::string& replay = {});
+
+} // namespace gnomon::atlas

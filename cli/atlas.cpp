@@ -1,0 +1,100 @@
+#include "casegen/atlas/atlas.h"
+
+#include "casegen/atlas/page.h"
+#include "cli/commands.h"
+#include "cli/parse.h"
+#include "cli/progress.h"
+#include "cli/report.h"
+#include "runtime/error.h"
+#include "runtime/files.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace gnomon::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    fs::path folder;
+    std::vector<fs::path> censuses;
+    std::string seed;
+    std::size_t samples = 65536;
+    unsigned jobs = 0;
+};
+
+/// From the page to the kernels, if both lie in one repository; else a link would lead nowhere on another
+/// machine.
+std::string link_to_kernels(const fs::path& folder, const fs::path& kernels) {
+    const fs::path target = fs::canonical(kernels);
+    const fs::path link = target.lexically_relative(fs::canonical(folder));
+    const fs::path from_repository = fs::canonical(folder).lexically_relative(target.parent_path());
+    const bool inside = !from_repository.empty() && *from_repository.begin() != "..";
+    return inside ? link.generic_string() : std::string();
+}
+
+int run(const Options& options, const Common& common, const std::string& replay) {
+    atlas::Options atlas_options;
+    for (const fs::path& census : options.censuses)
+        atlas_options.censuses.push_back(atlas::read_census(census));
+    CheckOptions& check = atlas_options.check;
+    check.kernels = common.kernels;
+    check.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
+    check.samples = options.samples;
+    check.seed = parse_seed(options.seed);
+    check.device = common.device;
+    check.jobs = options.jobs;
+
+    std::error_code error;
+    fs::create_directories(options.folder, error);
+    if (error) throw Error("{}: cannot be made a folder: {}", options.folder.string(), error.message());
+    const fs::path path = options.folder / "index.html";
+    require_writable(path);
+
+    atlas::Atlas atlas;
+    {
+        Progress progress("checking");
+        const std::size_t total = find_cases("").size() * options.samples;
+        atlas = atlas::make_atlas(catalogue(), atlas_options,
+                                  [&](std::size_t done) { progress.show(done, total); });
+    }
+    require_no_validation_messages();
+    write_file(path, atlas::page(atlas, link_to_kernels(options.folder, common.kernels), replay));
+
+    std::size_t cases = 0, failed = 0;
+    for (const atlas::FamilyEntries& family : atlas.families) {
+        cases += family.cases.size();
+        for (const CheckReport& report : family.kernels) failed += report.verdict != Verdict::pass;
+        for (const atlas::Entry& entry : family.cases) failed += entry.report.verdict != Verdict::pass;
+    }
+    fmt::print("{} cases are in {}; {} kernels fail\n", cases, path.string(), failed);
+    return atlas.passes() ? 0 : 1;
+}
+
+} // namespace
+
+void add_atlas(CLI::App& app, Common& common, int& exit_code) {
+    CLI::App* verb = app.add_subcommand(
+        "atlas", "write one HTML page about every case: mask, condition, formula, values, error, cost");
+    auto options = std::make_shared<Options>();
+    verb->add_option("OUT_DIR", options->folder, "folder for index.html, made if it is missing")->required();
+    verb->add_option("--samples", options->samples,
+                     "inputs per kernel; pins and hostile values are always all run")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
+        ->capture_default_str();
+    verb->add_option("--seed", options->seed, "of all kernels (default: each its own, the hash of its name)");
+    verb->add_option("--census", options->censuses,
+                     "JSON file of shares counted elsewhere, as gnomon census writes it; may be repeated");
+    verb->add_option("--jobs", options->jobs,
+                     "worker threads, each with its own device (default: one per core)")
+        ->check(CLI::Range(0u, 256u));
+    verb->footer(
+        "The page needs no network and no other file. Exit code 1 if a kernel fails: its entry says so.\n\n"
+        "  gnomon atlas out/atlas");
+    verb->callback(
+        [options, &app, &common, &exit_code] { exit_code = run(*options, common, replay_options(app)); });
+}
+
+} // namespace gnomon::cli
