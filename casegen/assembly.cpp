@@ -152,28 +152,14 @@ struct Writer {
         if (!left_out.empty()) {
             std::string none;
             for (const Case* c : held) none += fmt::format("!holds_{} && ", c->number);
-            line(1, fmt::format("case_left_out = {}({});", none, could_be_left_out()));
+            line(1, fmt::format("case_left_out = {}number != 0u;", none));
         }
         line(1, "return result;");
     }
 
-    /// Whether an edge that no held case applies to may be of a left-out one: cheap, and sure to say yes if
-    /// it is. Texels that nothing differs around are of no case in any family that does not ask for them.
-    std::string could_be_left_out() const {
-        Condition box{0, 0, 0, 0, 0, 0};
-        bool has_sides = true;
-        for (const Case* c : left_out)
-            for (const Condition& condition : c->condition) {
-                for (const auto member : members) box.*member |= condition.*member;
-                if ((condition.side_x & condition.side_y & sets::neither) != 0) has_sides = false;
-            }
-        const std::string text_of_box = to_glsl({box});
-        if (!has_sides) return text_of_box;
-        return (text_of_box == "true" ? "" : text_of_box + " && ") + "edge.sides != uvec2(NEITHER)";
-    }
-
-    void end_without_a_case(const std::string& left_out_if) {
-        if (!left_out.empty()) line(1, fmt::format("case_left_out = {};", left_out_if));
+    /// Only the decision list's number tells a texel of no case from one of a case that is left out.
+    void end_without_a_case() {
+        if (!left_out.empty()) line(1, "case_left_out = number != 0u;");
         line(1, fmt::format("return {};", shadow_test));
     }
 
@@ -224,18 +210,18 @@ struct Writer {
         switch (assembly.variant) {
         case Variant::switch_by_number:
             choose_by_number();
-            return end_without_a_case("number != 0u");
+            return end_without_a_case();
         case Variant::table:
             look_up();
             choose_by_number();
-            return end_without_a_case("number != 0u");
+            return end_without_a_case();
         case Variant::document_order:
         case Variant::frequency_order:
             chain(candidates(), anything, 1);
-            return end_without_a_case(could_be_left_out());
+            return end_without_a_case();
         case Variant::branch_tree:
             tree(candidates(), anything, 0, 1);
-            return end_without_a_case(could_be_left_out());
+            return end_without_a_case();
         case Variant::branchless:
             return evaluate_all();
         }

@@ -48,11 +48,11 @@ struct CaseParameter {
 std::vector<CaseParameter> case_parameters(const Family& family, const Assembly& assembly);
 
 /// The text of <smsr/cases>: includes the cases that the assembly holds and defines
-///     const bool smsr_needs_along_x = true;                     one per parameter: whether a held case takes
-///     it float smsr_case(uint number, Edge edge, float along_x, …)
-/// A texel of no case (number 0) gives its shadow test. So does one whose case is left out, and it sets
-/// `case_left_out` (kernels/revectorize/left_out.glslh); assemblies without the decision list's number also
-/// set it for texels of no case that they cannot tell from a left-out one.
+///     const bool smsr_needs_along_x = true;
+///     float smsr_case(uint number, Edge edge, float along_x, …)
+/// with a constant per parameter: whether a held case takes it. A texel of no case (number 0) gives its
+/// shadow test. So does one whose case is left out, and it sets `case_left_out`
+/// (kernels/revectorize/left_out.glslh).
 std::string assembled(const Family& family, const Assembly& assembly);
 
 } // namespace gnomon
