@@ -264,9 +264,11 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_y(shadowed, one, one_end | closed),
                 .number = 12,
-                .formula = "along_y if n = NEITHER; max(1 - q_y, along_y - p.x) if n = MINUS; max(1 - q_y, "
-                           "along_y + p.x - 1) if n = PLUS; max(1 - q_y, 1 - p.x) if d_cb = MINUS; max(1 - "
-                           "q_y, p.x) if d_cb = PLUS",
+                .formula =
+                    "along_y if n = NEITHER; max(1 - q_y, along_y - p.x) if n = MINUS; "
+                    "max(1 - q_y, along_y + p.x - 1) if n = PLUS; max(1 - q_y, 1 - p.x) if n = BOTH and d_cb "
+                    "= MINUS; "
+                    "max(1 - q_y, p.x) if n = BOTH and d_cb = PLUS; along_y if n = BOTH and d_cb = NEITHER",
             },
             {
                 .name = "rsmss/case_13",
@@ -293,9 +295,11 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_x(shadowed, one, one_end | closed),
                 .number = 14,
-                .formula = "along_x if n = NEITHER; max(1 - q_x, along_x - p.y) if n = MINUS; max(1 - q_x, "
-                           "along_x + p.y - 1) if n = PLUS; max(1 - q_x, 1 - p.y) if d_cb = MINUS; max(1 - "
-                           "q_x, p.y) if d_cb = PLUS",
+                .formula =
+                    "along_x if n = NEITHER; max(1 - q_x, along_x - p.y) if n = MINUS; "
+                    "max(1 - q_x, along_x + p.y - 1) if n = PLUS; max(1 - q_x, 1 - p.y) if n = BOTH and d_cb "
+                    "= MINUS; "
+                    "max(1 - q_x, p.y) if n = BOTH and d_cb = PLUS; along_x if n = BOTH and d_cb = NEITHER",
             },
             {
                 .name = "rsmss/case_15",

@@ -1,12 +1,10 @@
 #include "casegen/atlas/atlas.h"
 
-#include "casegen/atlas/page.h"
+#include "cli/atlas_page.h"
 #include "cli/commands.h"
 #include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/report.h"
-#include "runtime/error.h"
-#include "runtime/files.h"
 
 #include <fmt/format.h>
 
@@ -25,16 +23,6 @@ struct Options {
     unsigned jobs = 0;
 };
 
-/// From the page to the kernels, if both lie in one repository; else a link would lead nowhere on another
-/// machine.
-std::string link_to_kernels(const fs::path& folder, const fs::path& kernels) {
-    const fs::path target = fs::canonical(kernels);
-    const fs::path link = target.lexically_relative(fs::canonical(folder));
-    const fs::path from_repository = fs::canonical(folder).lexically_relative(target.parent_path());
-    const bool inside = !from_repository.empty() && *from_repository.begin() != "..";
-    return inside ? link.generic_string() : std::string();
-}
-
 int run(const Options& options, const Common& common, const std::string& replay) {
     atlas::Options atlas_options;
     for (const fs::path& census : options.censuses)
@@ -47,12 +35,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     check.device = common.device;
     check.jobs = options.jobs;
 
-    std::error_code error;
-    fs::create_directories(options.folder, error);
-    if (error) throw Error("{}: cannot be made a folder: {}", options.folder.string(), error.message());
-    const fs::path path = options.folder / "index.html";
-    require_writable(path);
-
+    const fs::path path = require_atlas_folder(options.folder);
     atlas::Atlas atlas;
     {
         Progress progress("checking");
@@ -61,14 +44,11 @@ int run(const Options& options, const Common& common, const std::string& replay)
                                   [&](std::size_t done) { progress.show(done, total); });
     }
     require_no_validation_messages();
-    write_file(path, atlas::page(atlas, link_to_kernels(options.folder, common.kernels), replay));
+    write_atlas(path, atlas, common, replay);
 
     std::size_t cases = 0, failed = 0;
-    for (const atlas::FamilyEntries& family : atlas.families) {
-        cases += family.cases.size();
-        for (const CheckReport& report : family.kernels) failed += report.verdict != Verdict::pass;
-        for (const atlas::Entry& entry : family.cases) failed += entry.report.verdict != Verdict::pass;
-    }
+    for (const atlas::FamilyEntries& family : atlas.families) cases += family.cases.size();
+    for (const CheckReport& report : reports_of(atlas)) failed += report.verdict != Verdict::pass ? 1 : 0;
     fmt::print("{} cases are in {}; {} kernels fail\n", cases, path.string(), failed);
     return atlas.passes() ? 0 : 1;
 }

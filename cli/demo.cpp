@@ -1,6 +1,8 @@
-#include "casegen/check.h"
+#include "casegen/census.h"
 #include "casegen/demo_scene.h"
 #include "casegen/standalone.h"
+#include "casegen/technique.h"
+#include "cli/atlas_page.h"
 #include "cli/commands.h"
 #include "cli/progress.h"
 #include "cli/rendering.h"
@@ -15,23 +17,38 @@
 namespace gnomon::cli {
 namespace {
 
-int check_all(const Common& common, nlohmann::ordered_json& report) {
-    const std::vector<const Case*> cases = find_cases("");
-    CheckOptions options;
-    options.kernels = common.kernels;
-    options.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
-    options.device = common.device;
-    std::vector<CheckReport> reports;
+/// How often each case occurs among the renderer's pixels, as the atlas shows it.
+atlas::Census census_of(Renderer& renderer) {
+    atlas::Census census{"demo scene", {}};
+    for (const std::string& name : numbered_techniques()) {
+        const Family& family = technique_family(name);
+        const Counts counts = renderer.census(technique_of(family));
+        for (const CaseShare& share : case_shares(family, std::span(&counts, 1)))
+            census.shares[family.name][share.c->number] = share.share;
+    }
+    return census;
+}
+
+/// Checks every kernel and tells of each in the atlas. Returns the exit code.
+int check_all(const Common& common, atlas::Census census, const std::filesystem::path& page,
+              nlohmann::ordered_json& report) {
+    atlas::Options options;
+    options.censuses = {std::move(census)};
+    options.check.kernels = common.kernels;
+    options.check.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
+    options.check.device = common.device;
+    atlas::Atlas atlas;
     {
         Progress progress("checking kernels");
-        reports = check(cases, options,
-                        [&](std::size_t done) { progress.show(done, cases.size() * options.samples); });
+        const std::size_t total = find_cases("").size() * options.check.samples;
+        atlas =
+            atlas::make_atlas(catalogue(), options, [&](std::size_t done) { progress.show(done, total); });
     }
+    write_atlas(page, atlas, common, {});
+    const std::vector<CheckReport> reports = reports_of(atlas);
     fmt::print("{}\n", check_text(reports, {}));
     report["kernels"] = nlohmann::ordered_json::parse(check_json(reports, {}))["kernels"];
-    for (const CheckReport& r : reports)
-        if (r.verdict != Verdict::pass) return 1;
-    return 0;
+    return atlas.passes() ? 0 : 1;
 }
 
 /// Against the light, so that the shadows of fence and lattice fall towards the viewer.
@@ -44,18 +61,17 @@ Camera demo_camera(const Scene& scene) {
 }
 constexpr glm::vec3 demo_light{0.45f, -0.62f, 0.5f};
 
-/// The same part of every picture, beside one another on white: where shadow edges of all slopes can be
-/// compared.
+/// The same part of every picture, three in a row on white: where shadow edges of all slopes can be compared.
 Image side_by_side(const std::vector<Judged>& all) {
-    constexpr int x0 = 250, y0 = 340, width = 480, height = 330, gap = 6;
-    const int count = static_cast<int>(all.size());
-    Image strip(count * width + (count - 1) * gap, height, {255, 255, 255});
+    constexpr int x0 = 250, y0 = 340, width = 480, height = 330, gap = 6, columns = 3;
+    const int count = static_cast<int>(all.size()), rows = (count + columns - 1) / columns;
+    Image sheet(columns * width + (columns - 1) * gap, rows * height + (rows - 1) * gap, {255, 255, 255});
     for (int i = 0; i < count; ++i)
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
-                strip.at(i * (width + gap) + x, y) =
+                sheet.at(i % columns * (width + gap) + x, i / columns * (height + gap) + y) =
                     all[static_cast<std::size_t>(i)].rendering.image.at(x0 + x, y0 + y);
-    return strip;
+    return sheet;
 }
 
 int run(const std::filesystem::path& folder, const Common& common) {
@@ -65,8 +81,7 @@ int run(const std::filesystem::path& folder, const Common& common) {
     const std::filesystem::path report_path = folder / "report.json";
     require_writable(report_path);
 
-    nlohmann::ordered_json report{{"gnomon", GNOMON_VERSION}};
-    const int exit_code = check_all(common, report);
+    const std::filesystem::path page = require_atlas_folder(folder / "atlas");
 
     const Scene scene = demo_scene();
     const Camera camera = demo_camera(scene);
@@ -74,6 +89,9 @@ int run(const std::filesystem::path& folder, const Common& common) {
     const ViewSettings settings;
     gpu::Device device(common.device);
     Renderer renderer(device, kernel_sources(common.kernels), scene, camera, light, settings);
+
+    nlohmann::ordered_json report{{"gnomon", GNOMON_VERSION}};
+    const int exit_code = check_all(common, census_of(renderer), page, report);
     std::vector<Judged> all;
     std::vector<std::string> names = technique_names();
     const Rendering truth = renderer.render(technique_by_name("raytraced"));
@@ -102,17 +120,18 @@ int run(const std::filesystem::path& folder, const Common& common) {
     write_file(report_path, report.dump(2) + "\n");
     fmt::print("{} x {} pixels, shadow map {}, {} triangles, {}\n{}", settings.width, settings.height,
                settings.shadow_map, scene.triangles.size(), device.info().name, judged_table(all));
-    fmt::print("\npictures and report.json are in {}\n", folder.string());
+    fmt::print("\npictures and report.json are in {}, every case in {}\n", folder.string(), page.string());
     return exit_code;
 }
 
 } // namespace
 
 void add_demo(CLI::App& app, Common& common, int& exit_code) {
-    CLI::App* verb = app.add_subcommand(
-        "demo", "check every kernel, then render the demo scene with every technique and judge it");
+    CLI::App* verb = app.add_subcommand("demo", "check every kernel, show every case in an atlas, render the "
+                                                "demo scene with every technique and judge it");
     auto folder = std::make_shared<std::filesystem::path>("out/demo");
-    verb->add_option("--out", *folder, "folder for pictures and report.json")->capture_default_str();
+    verb->add_option("--out", *folder, "folder for pictures, report.json and atlas/index.html")
+        ->capture_default_str();
     verb->callback([folder, &common, &exit_code] { exit_code = run(*folder, common); });
 }
 

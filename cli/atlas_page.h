@@ -1,0 +1,24 @@
+// The atlas as a file, for the verbs that write it.
+#pragma once
+
+#include "casegen/atlas/atlas.h"
+#include "cli/commands.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gnomon::cli {
+
+/// Makes the folder and returns the page's path in it. Throws Error if either cannot be written.
+std::filesystem::path require_atlas_folder(const std::filesystem::path& folder);
+
+/// Links from the page lead to the kernels if both lie in one repository: else they would lead nowhere on
+/// another machine. `replay`: see replay_command.
+void write_atlas(const std::filesystem::path& path, const atlas::Atlas& atlas, const Common& common,
+                 const std::string& replay);
+
+/// Every kernel's report, numbered or not, in the catalogue's order.
+std::vector<CheckReport> reports_of(const atlas::Atlas& atlas);
+
+} // namespace gnomon::cli
