@@ -54,6 +54,8 @@ void describe(const Case& c, const std::filesystem::path& kernels) {
     fmt::print("tolerance  {}; for inputs outside the ranges above: any result within its range, never NaN\n",
                to_string(c.tolerance));
     if (c.number == 0) return;
+    fmt::print("applies to {}\n", in_words(c.condition));
+    fmt::print("value      {}\n", c.formula);
     if (const auto witness = smallest_witness(c)) {
         fmt::print("witness    texel {},{} of this mask, {} outside, leads to the case:\n", witness->texel.x,
                    witness->texel.y, to_string(witness->mask.outside));

@@ -7,9 +7,9 @@
 float rsmss_case_04(vec2 p, uvec2 neighbours, uint options) {
     bool opens_above = neighbours.y == MINUS || neighbours.y == PLUS; // towards +y
     bool opens_below = neighbours.x == MINUS || neighbours.x == PLUS;
-    float above = neighbours.y == MINUS ? p.x + p.y - 1.0 : p.y - p.x;
-    float below = neighbours.x == MINUS ? p.x - p.y : 1.0 - p.x - p.y;
-    float value = 0.0;
+    precise float above = neighbours.y == MINUS ? p.x + p.y - 1.0 : p.y - p.x;
+    precise float below = neighbours.x == MINUS ? p.x - p.y : 1.0 - p.x - p.y;
+    precise float value = 0.0;
     if (opens_below) value = below;
     if (opens_above) value = opens_below && (options & FIRST_OPENING) == 0u ? max(above, below) : above;
     return clamp(value, 0.0, 1.0);

@@ -6,9 +6,9 @@
 float rsmss_case_06(vec2 p, uvec2 neighbours, uint options) {
     bool opens_right = neighbours.y == MINUS || neighbours.y == PLUS; // towards +x
     bool opens_left = neighbours.x == MINUS || neighbours.x == PLUS;
-    float right = neighbours.y == MINUS ? p.x + p.y - 1.0 : p.x - p.y;
-    float left = neighbours.x == MINUS ? p.y - p.x : 1.0 - p.x - p.y;
-    float value = 0.0;
+    precise float right = neighbours.y == MINUS ? p.x + p.y - 1.0 : p.x - p.y;
+    precise float left = neighbours.x == MINUS ? p.y - p.x : 1.0 - p.x - p.y;
+    precise float value = 0.0;
     if (opens_left) value = left;
     if (opens_right) value = opens_left && (options & FIRST_OPENING) == 0u ? max(right, left) : right;
     return clamp(value, 0.0, 1.0);

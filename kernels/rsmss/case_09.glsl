@@ -4,8 +4,8 @@
 #include "rsmss/options.glslh"
 
 float rsmss_case_09(vec2 p, float along_y, uint breach, uint options) {
-    float minus = 1.0 + p.x - along_y, plus = 2.0 - p.x - along_y; // by the wall at -x, at +x
-    float value = 1.0 - along_y;
+    precise float minus = 1.0 + p.x - along_y, plus = 2.0 - p.x - along_y; // by the wall at -x, at +x
+    precise float value = 1.0 - along_y;
     if (breach == MINUS) value = minus;
     if (breach == PLUS) value = plus;
     if (breach == BOTH) {

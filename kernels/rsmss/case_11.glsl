@@ -3,8 +3,8 @@
 #include "rsmss/options.glslh"
 
 float rsmss_case_11(vec2 p, float along_x, uint breach, uint options) {
-    float minus = 1.0 + p.y - along_x, plus = 2.0 - p.y - along_x; // by the wall at -y, at +y
-    float value = 1.0 - along_x;
+    precise float minus = 1.0 + p.y - along_x, plus = 2.0 - p.y - along_x; // by the wall at -y, at +y
+    precise float value = 1.0 - along_x;
     if (breach == MINUS) value = minus;
     if (breach == PLUS) value = plus;
     if (breach == BOTH) {

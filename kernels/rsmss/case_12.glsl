@@ -6,12 +6,12 @@
 #include "rsmss/options.glslh"
 
 float rsmss_case_12(vec2 p, float along_y, uint side_y, int type_y, uint neighbour, uint breach, uint options) {
-    float into_end = side_y == PLUS ? p.y : 1.0 - p.y;
-    float minus = type_y == 1 ? 1.0 - p.x : along_y - p.x; // by the wall at -x, at +x
-    float plus = type_y == 1 ? p.x : along_y + p.x - 1.0;
+    precise float into_end = side_y == PLUS ? p.y : 1.0 - p.y;
+    precise float minus = type_y == 1 ? 1.0 - p.x : along_y - p.x; // by the wall at -x, at +x
+    precise float plus = type_y == 1 ? p.x : along_y + p.x - 1.0;
     if (neighbour == BOTH && (options & BREACH_BY_POSITION) == 0u) minus = 1.0 - p.x, plus = p.x;
     uint walls = neighbour == BOTH ? breach : neighbour;
-    float value = along_y;
+    precise float value = along_y;
     if (walls == MINUS) value = max(into_end, minus);
     if (walls == PLUS) value = max(into_end, plus);
     if (walls == UNBROKEN && type_y == 1)

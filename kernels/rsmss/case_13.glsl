@@ -5,9 +5,9 @@
 #include "rsmss/options.glslh"
 
 float rsmss_case_13(vec2 p, float along_y, int type_y, uint breach, uint options) {
-    float minus = type_y == 1 ? 1.0 - p.x : along_y - p.x; // by the wall at -x, at +x
-    float plus = type_y == 1 ? p.x : along_y + p.x - 1.0;
-    float value = along_y;
+    precise float minus = type_y == 1 ? 1.0 - p.x : along_y - p.x; // by the wall at -x, at +x
+    precise float plus = type_y == 1 ? p.x : along_y + p.x - 1.0;
+    precise float value = along_y;
     if (breach == MINUS) value = minus;
     if (breach == PLUS) value = plus;
     if (breach == BOTH) {

@@ -4,12 +4,12 @@
 #include "rsmss/options.glslh"
 
 float rsmss_case_14(vec2 p, float along_x, uint side_x, int type_x, uint neighbour, uint breach, uint options) {
-    float into_end = side_x == PLUS ? p.x : 1.0 - p.x;
-    float minus = type_x == 1 ? 1.0 - p.y : along_x - p.y; // by the wall at -y, at +y
-    float plus = type_x == 1 ? p.y : along_x + p.y - 1.0;
+    precise float into_end = side_x == PLUS ? p.x : 1.0 - p.x;
+    precise float minus = type_x == 1 ? 1.0 - p.y : along_x - p.y; // by the wall at -y, at +y
+    precise float plus = type_x == 1 ? p.y : along_x + p.y - 1.0;
     if (neighbour == BOTH && (options & BREACH_BY_POSITION) == 0u) minus = 1.0 - p.y, plus = p.y;
     uint walls = neighbour == BOTH ? breach : neighbour;
-    float value = along_x;
+    precise float value = along_x;
     if (walls == MINUS) value = max(into_end, minus);
     if (walls == PLUS) value = max(into_end, plus);
     if (walls == UNBROKEN && type_x == 1)

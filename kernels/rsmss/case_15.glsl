@@ -4,9 +4,9 @@
 #include "rsmss/options.glslh"
 
 float rsmss_case_15(vec2 p, float along_x, int type_x, uint breach, uint options) {
-    float minus = type_x == 1 ? 1.0 - p.y : along_x - p.y; // by the wall at -y, at +y
-    float plus = type_x == 1 ? p.y : along_x + p.y - 1.0;
-    float value = along_x;
+    precise float minus = type_x == 1 ? 1.0 - p.y : along_x - p.y; // by the wall at -y, at +y
+    precise float plus = type_x == 1 ? p.y : along_x + p.y - 1.0;
+    precise float value = along_x;
     if (breach == MINUS) value = minus;
     if (breach == PLUS) value = plus;
     if (breach == BOTH) {

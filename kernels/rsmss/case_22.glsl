@@ -3,5 +3,6 @@
 #include "revectorize/sides.glslh"
 
 float rsmss_case_22(vec2 p, float along_x, uint side_y) {
-    return clamp(side_y == PLUS ? 2.0 - p.y - along_x : 1.0 + p.y - along_x, 0.0, 1.0);
+    precise float light = side_y == PLUS ? 2.0 - p.y - along_x : 1.0 + p.y - along_x;
+    return clamp(light, 0.0, 1.0);
 }

@@ -2,5 +2,6 @@
 #include "revectorize/sides.glslh"
 
 float rsmss_case_28(vec2 p, uint side_y) {
-    return clamp(side_y == PLUS ? p.y : 1.0 - p.y, 0.0, 1.0);
+    precise float light = side_y == PLUS ? p.y : 1.0 - p.y;
+    return clamp(light, 0.0, 1.0);
 }

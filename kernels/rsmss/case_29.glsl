@@ -2,5 +2,6 @@
 #include "revectorize/sides.glslh"
 
 float rsmss_case_29(vec2 p, uint side_x) {
-    return clamp(side_x == MINUS ? 1.0 - p.x : p.x, 0.0, 1.0);
+    precise float light = side_x == MINUS ? 1.0 - p.x : p.x;
+    return clamp(light, 0.0, 1.0);
 }

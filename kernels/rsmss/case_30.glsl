@@ -2,5 +2,6 @@
 #include "revectorize/sides.glslh"
 
 float rsmss_case_30(vec2 p, float along_x, uint side_y) {
-    return clamp(side_y == PLUS ? p.y + along_x - 1.0 : along_x - p.y, 0.0, 1.0);
+    precise float light = side_y == PLUS ? p.y + along_x - 1.0 : along_x - p.y;
+    return clamp(light, 0.0, 1.0);
 }

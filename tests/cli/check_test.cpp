@@ -51,7 +51,7 @@ TEST(check_verb, the_worst_error_is_shown_on_a_pass_with_its_input) {
     EXPECT_TRUE(std::regex_search(
         out,
         std::regex(
-            R"(revectorize/along  pass .* [0-9.]+e-\d+ .*\n  worst at revectorize_along\(reach = ivec2\()")))
+            R"(revectorize/along +pass .* [0-9.]+e-\d+ .*\n  worst at revectorize_along\(reach = ivec2\()")))
         << out;
 }
 
