@@ -97,7 +97,10 @@ void measure(int runs) {
              return run({"check", "smsr/case_09"}, warm);
          }},
         {"check smsr/case_09, after an edit", 150, edit},
-        {"check smsr (15 kernels), warm", 250, [&](int) { return run({"check", "smsr/"}, warm); }},
+        {"check smsr (15 kernels), warm", 250,
+         [&](int) {
+             return run({"check", "smsr/"}, warm);
+         }},
         {"check of all kernels, warm", 0, [&](int) { return run({"check"}, warm); }},
         {"check of all kernels, cold caches", 0, cold},
     };
