@@ -24,24 +24,17 @@ struct Options {
 };
 
 int run(const Options& options, const Common& common, const std::string& replay) {
-    atlas::Options atlas_options;
-    for (const fs::path& census : options.censuses)
-        atlas_options.censuses.push_back(atlas::read_census(census));
-    CheckOptions& check = atlas_options.check;
-    check.kernels = common.kernels;
-    check.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
-    check.samples = options.samples;
-    check.seed = parse_seed(options.seed);
-    check.device = common.device;
-    check.jobs = options.jobs;
-
+    atlas::Options what = atlas_options(common);
+    for (const fs::path& census : options.censuses) what.censuses.push_back(atlas::read_census(census));
+    what.check.samples = options.samples;
+    what.check.seed = parse_seed(options.seed);
+    what.check.jobs = options.jobs;
     const fs::path path = require_atlas_folder(options.folder);
     atlas::Atlas atlas;
     {
         Progress progress("checking");
         const std::size_t total = find_cases("").size() * options.samples;
-        atlas = atlas::make_atlas(catalogue(), atlas_options,
-                                  [&](std::size_t done) { progress.show(done, total); });
+        atlas = atlas::make_atlas(catalogue(), what, [&](std::size_t done) { progress.show(done, total); });
     }
     require_no_validation_messages();
     write_atlas(path, atlas, common, replay);

@@ -19,6 +19,14 @@ std::string link_to_kernels(const fs::path& folder, const fs::path& kernels) {
 
 } // namespace
 
+atlas::Options atlas_options(const Common& common) {
+    atlas::Options options;
+    options.check.kernels = common.kernels;
+    options.check.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
+    options.check.device = common.device;
+    return options;
+}
+
 fs::path require_atlas_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);

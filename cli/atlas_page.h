@@ -10,6 +10,9 @@
 
 namespace gnomon::cli {
 
+/// Every kernel, with 65,536 samples and the repository's pins.
+atlas::Options atlas_options(const Common& common);
+
 /// Makes the folder and returns the page's path in it. Throws Error if either cannot be written.
 std::filesystem::path require_atlas_folder(const std::filesystem::path& folder);
 

@@ -2,6 +2,7 @@
 #include "casegen/csv.h"
 #include "casegen/mask.h"
 #include "casegen/standalone.h"
+#include "cli/atlas_page.h"
 #include "cli/commands.h"
 #include "cli/explain.h"
 #include "cli/progress.h"
@@ -24,7 +25,7 @@ struct Options {
     ViewOptions view;
     std::vector<int> shadow_maps{1024};
     unsigned lights = 0; // 0: the one of `view`
-    std::filesystem::path json;
+    std::filesystem::path json, atlas;
 };
 
 bool is_mask(const std::string& path) {
@@ -81,9 +82,22 @@ nlohmann::ordered_json json_of(const Options& options, const Family& family, con
             {"censuses", censuses}};
 }
 
+/// The atlas with these shares beside those of the masks that it counts itself.
+void write_page(const std::filesystem::path& page, const Family& family, const std::vector<CaseShare>& shares,
+                std::size_t censuses, const Common& common) {
+    atlas::Options options = atlas_options(common);
+    atlas::Census census{censuses == 1 ? "this census" : fmt::format("mean of {} censuses", censuses), {}};
+    for (const CaseShare& s : shares) census.shares[family.name][s.c->number] = s.mean;
+    options.censuses = {std::move(census)};
+    write_atlas(page, atlas::make_atlas(catalogue(), options), common, {});
+    require_no_validation_messages();
+}
+
 void run(const Options& options, const Common& common) {
     const Family& family = technique_family(options.technique);
     if (!options.json.empty()) require_writable(options.json);
+    std::filesystem::path page;
+    if (!options.atlas.empty()) page = require_atlas_folder(options.atlas);
     std::vector<std::string> inputs = options.inputs;
     if (inputs.empty()) inputs.emplace_back(); // the demo scene
     for (const std::string& input : inputs)
@@ -117,6 +131,7 @@ void run(const Options& options, const Common& common) {
         }
     }
     const std::vector<CaseShare> shares = case_shares(family, censuses);
+    if (!options.atlas.empty()) write_page(page, family, shares, found.size(), common);
     if (!options.json.empty())
         write_file(options.json, json_of(options, family, found, shares, device)
                                          .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
@@ -152,6 +167,8 @@ void add_census(CLI::App& app, Common& common) {
         ->excludes("--light-direction")
         ->excludes("--light-position");
     verb->add_option("--json", options->json, "JSON file to write")->check(not_empty());
+    verb->add_option("--atlas", options->atlas, "folder for an atlas that shows these shares at every case")
+        ->check(not_empty());
     verb->footer("  gnomon census --technique smsr --shadow-map 256,512,1024,2048 --lights 16\n"
                  "  gnomon census mask.png --json shares.json");
     verb->callback([options, &common] { run(*options, common); });

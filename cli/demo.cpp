@@ -32,11 +32,8 @@ atlas::Census census_of(Renderer& renderer) {
 /// Checks every kernel and tells of each in the atlas. Returns the exit code.
 int check_all(const Common& common, atlas::Census census, const std::filesystem::path& page,
               nlohmann::ordered_json& report) {
-    atlas::Options options;
+    atlas::Options options = atlas_options(common);
     options.censuses = {std::move(census)};
-    options.check.kernels = common.kernels;
-    options.check.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
-    options.check.device = common.device;
     atlas::Atlas atlas;
     {
         Progress progress("checking kernels");

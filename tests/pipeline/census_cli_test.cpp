@@ -2,6 +2,7 @@
 #include "casegen/catalogue.h"
 #include "casegen/mask_families.h"
 #include "casegen/reference/revectorize.h"
+#include "runtime/files.h"
 #include "tests/pipeline/cli.h"
 
 #include <fmt/format.h>
@@ -140,6 +141,16 @@ TEST(CensusOptions, AreRefusedWhenBad) {
                        Arguments{"census"} + (has_json ? Arguments{} : Arguments{"--json", json}) + options,
                        what);
     }
+}
+
+TEST(CensusAtlas, ShowsTheSharesAtEveryCase) {
+    const TemporaryFolder folder;
+    const std::string mask = folder.write("mask.txt", "....\n.##.\n.##.\n....\n");
+    run_well({"census", mask, "--technique", "rsmss", "--atlas", folder.path() / "atlas"});
+    const std::string page = read_file(folder.path() / "atlas" / "index.html");
+    EXPECT_THAT(page, ::testing::HasSubstr("this census"));
+    EXPECT_THAT(page, ::testing::HasSubstr("rsmss/case_27"));
+    expect_refused(folder, {"census", mask, "--atlas", folder.write("taken", "")}, "taken");
 }
 
 } // namespace
