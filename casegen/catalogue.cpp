@@ -69,6 +69,13 @@ std::vector<const Case*> find_cases(const std::string& pattern) {
     return found;
 }
 
+unsigned number_by_conditions(const Family& family, const reference::Edge& edge) {
+    unsigned number = 0;
+    for (const Case& c : family.cases)
+        if (c.number != 0 && holds(c.condition, edge)) number = number == 0 ? c.number : 99;
+    return number;
+}
+
 const Case& find_case(const std::string& name) {
     for (const Family& family : catalogue())
         for (const Case& c : family.cases)

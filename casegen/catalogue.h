@@ -30,6 +30,10 @@ const std::vector<Family>& catalogue();
 /// catalogue's order. Throws Error that suggests near names if there are none.
 std::vector<const Case*> find_cases(const std::string& pattern);
 
+/// The number of the family's case whose condition holds for the edge; 0 if none does, 99 if several do: no
+/// decision list says that, so that whoever compares sees it.
+unsigned number_by_conditions(const Family& family, const reference::Edge& edge);
+
 /// The case of exactly this name. Throws Error that suggests near names.
 const Case& find_case(const std::string& name);
 

@@ -1,6 +1,7 @@
 #include "casegen/kernel_case.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -114,6 +115,35 @@ std::string function_name(const Case& c) {
     std::string name = c.name;
     std::ranges::replace(name, '/', '_');
     return name;
+}
+
+std::string signature(const Case& c) {
+    std::vector<std::string> parameters;
+    for (std::size_t i = 0; i < c.parameters.size(); ++i)
+        parameters.push_back(glsl_name(c.reference.parameters[i]) + " " + c.parameters[i].name);
+    return fmt::format("{} {}({})", glsl_name(c.reference.result), function_name(c),
+                       fmt::join(parameters, ", "));
+}
+
+std::string to_string(const Domain& domain) {
+    if (domain.choices.empty()) return fmt::format("{:g} to {:g}", domain.lower, domain.upper);
+    std::vector<std::string> choices;
+    for (const std::vector<double>& choice : domain.choices)
+        choices.push_back(fmt::format("{}", fmt::join(choice, ",")));
+    return fmt::format("one of {}", fmt::join(choices, " | "));
+}
+
+std::string leading_comment(const std::string& text) {
+    std::string comment;
+    std::string_view rest = text;
+    while (rest.starts_with("//")) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        std::string_view line = rest.substr(2, end - 2);
+        if (line.starts_with(' ')) line.remove_prefix(1);
+        comment.append(line).append("\n");
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return comment;
 }
 
 std::vector<std::string> columns(const Case& c) {

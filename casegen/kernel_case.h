@@ -133,6 +133,15 @@ inline bool applies(const Case& c, const reference::Edge& edge) {
 /// "smsr_case_09".
 std::string function_name(const Case& c);
 
+/// "float smsr_case_09(vec2 p, float along_x)".
+std::string signature(const Case& c);
+
+/// "0 to 1", "one of 1 | 2".
+std::string to_string(const Domain& domain);
+
+/// The comment that a kernel's text begins with, without its slashes; its lines end in '\n'.
+std::string leading_comment(const std::string& text);
+
 /// The words of a record without the mask's.
 inline std::size_t word_count(const Case& c) { return c.reference.words.size(); }
 

@@ -44,14 +44,6 @@ bool both_is_closed(const Arguments& a) {
     return (a.numbers[0] != on_both || a.numbers[2] == 1) && (a.numbers[1] != on_both || a.numbers[3] == 1);
 }
 
-unsigned number_by_conditions(const Family& family, const Edge& e) {
-    unsigned number = 0;
-    for (const Case& c : family.cases)
-        if (c.number != 0 && holds(c.condition, e))
-            number = number == 0 ? c.number : 99; // 99: two conditions hold
-    return number;
-}
-
 const Result visibility{0, 1, "1", "1 lit, 0 shadowed"};
 
 const Family& silhouette() {

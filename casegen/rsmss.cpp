@@ -106,14 +106,6 @@ const Tolerance through_a_run = absolute(0x1p-22 + 0x1.8p-23);
 
 const Family& table();
 
-unsigned number_by_conditions(const reference::Edge& e) {
-    unsigned number = 0;
-    for (const Case& c : table().cases)
-        if (c.number != 0 && holds(c.condition, e))
-            number = number == 0 ? c.number : 99; // 99: two conditions hold
-    return number;
-}
-
 const Family& table() {
     using namespace sets;
     const Result visibility{0, 1, "1", "1 lit, 0 shadowed"};
@@ -517,7 +509,7 @@ const Family& table() {
                 .source = "RBSM supplement, RSMSS cases 1 to 31; docs/revectorization.md 4.1",
                 .reference =
                     [](bool entering, uvec2 sides, glm::ivec2 type, glm::bvec2 dominant) {
-                        return number_by_conditions({sides, {}, type, dominant, entering});
+                        return number_by_conditions(table(), {sides, {}, type, dominant, entering});
                     },
                 .parameters = {entering(), sides(), type(), dominant()},
                 .result = {0, 31, "1", "the case's number, 0 for none"},
@@ -527,7 +519,7 @@ const Family& table() {
                 .source = "docs/revectorization.md 4",
                 .reference =
                     [](const Mask& mask, glm::ivec2 texel) {
-                        return number_by_conditions(reference::edge(mask, texel));
+                        return number_by_conditions(table(), reference::edge(mask, texel));
                     },
                 .parameters = {texel()},
                 .result = {0, 31, "1", "the case's number, 0 for none"},

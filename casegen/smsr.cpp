@@ -36,14 +36,6 @@ const Tolerance one_rounding = input_within(0x1p-24);
 
 const Family& table();
 
-unsigned number_by_conditions(const Edge& e) {
-    unsigned number = 0;
-    for (const Case& c : table().cases)
-        if (c.number != 0 && holds(c.condition, e))
-            number = number == 0 ? c.number : 99; // 99: two conditions hold
-    return number;
-}
-
 const Family& table() {
     const Result visibility{0, 1, "1", "1 lit, 0 shadowed"};
     static const Family family{
@@ -199,7 +191,7 @@ const Family& table() {
                 .source = "RBSM supplement, SMSR cases 1 to 12; docs/revectorization.md 2.1",
                 .reference =
                     [](glm::uvec2 sides, glm::ivec2 type, glm::bvec2 dominant) {
-                        return number_by_conditions({sides, {}, type, dominant});
+                        return number_by_conditions(table(), {sides, {}, type, dominant});
                     },
                 .parameters = {sides(), type(), dominant()},
                 .result = {0, 12, "1", "the case's number, 0 for none"},
@@ -215,8 +207,9 @@ const Family& table() {
                 .source = "docs/revectorization.md 2",
                 .reference =
                     [](const Mask& mask, glm::ivec2 texel) {
-                        return mask.lit(texel.x, texel.y) ? number_by_conditions(reference::edge(mask, texel))
-                                                          : 0u;
+                        return mask.lit(texel.x, texel.y)
+                                   ? number_by_conditions(table(), reference::edge(mask, texel))
+                                   : 0u;
                     },
                 .parameters = {texel()},
                 .result = {0, 12, "1", "the case's number, 0 for none"},

@@ -60,14 +60,6 @@ std::string to_word(Scalar scalar, const std::string& value) {
     return value;
 }
 
-std::string signature(const Case& c) {
-    std::vector<std::string> parameters;
-    for (std::size_t i = 0; i < c.parameters.size(); ++i)
-        parameters.push_back(glsl_name(c.reference.parameters[i]) + " " + c.parameters[i].name);
-    return fmt::format("{} {}({})", glsl_name(c.reference.result), function_name(c),
-                       fmt::join(parameters, ", "));
-}
-
 /// glslang makes an OpUndef where a function ends without a return; a driver may then return anything, the
 /// right answer included.
 bool has_undefined_value(const glsl::Spirv& words) {

@@ -8,37 +8,16 @@
 #include <fmt/ranges.h>
 
 #include <memory>
+#include <sstream>
 
 namespace gnomon::cli {
 namespace {
 
-/// The comment that a kernel file begins with, without its slashes.
-std::string leading_comment(const std::string& text) {
-    std::string comment;
-    std::string_view rest = text;
-    while (rest.starts_with("//")) {
-        const std::size_t end = rest.find('\n');
-        std::string_view line = rest.substr(2, end == std::string_view::npos ? end : end - 2);
-        comment += fmt::format(" {}\n", line);
-        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    }
-    return comment;
-}
-
-std::string range(const Domain& domain) {
-    if (domain.choices.empty()) return fmt::format("{:g} to {:g}", domain.lower, domain.upper);
-    std::vector<std::string> choices;
-    for (const std::vector<double>& choice : domain.choices)
-        choices.push_back(fmt::format("{}", fmt::join(choice, ",")));
-    return fmt::format("one of {}", fmt::join(choices, " | "));
-}
-
 void describe(const Case& c, const std::filesystem::path& kernels) {
-    std::vector<std::string> parameters;
-    for (std::size_t i = 0; i < c.parameters.size(); ++i)
-        parameters.push_back(glsl_name(c.reference.parameters[i]) + " " + c.parameters[i].name);
-    fmt::print("{} {}({})\n", glsl_name(c.reference.result), function_name(c), fmt::join(parameters, ", "));
-    fmt::print("{}\n", leading_comment(read_file(kernels / (c.name + ".glsl"))));
+    fmt::print("{}\n", signature(c));
+    std::istringstream comment(leading_comment(read_file(kernels / (c.name + ".glsl"))));
+    for (std::string line; std::getline(comment, line);) fmt::print("  {}\n", line);
+    fmt::print("\n");
     fmt::print("source     {}\n", c.source);
     fmt::print("columns    {}\n", fmt::join(columns(c), ","));
     if (c.reference.takes_mask) {
@@ -47,7 +26,7 @@ void describe(const Case& c, const std::filesystem::path& kernels) {
         fmt::print("  {:<10} what lies beyond the mask: clamp, lit or shadow\n", "outside");
     }
     for (const Parameter& p : c.parameters)
-        fmt::print("  {:<10} {} [{}], {}\n", p.name, range(p.domain), p.unit, p.meaning);
+        fmt::print("  {:<10} {} [{}], {}\n", p.name, to_string(p.domain), p.unit, p.meaning);
     if (c.where) fmt::print("             (not every combination: see `where` in the table)\n");
     fmt::print("result     {:g} to {:g} [{}], {}\n", c.result.lower, c.result.upper, c.result.unit,
                c.result.meaning);

@@ -1,5 +1,7 @@
 #include "cli/report.h"
 
+#include "casegen/atlas/html.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,27 +16,6 @@ std::string finding_text(const CheckReport& report, const std::string& options) 
     std::string text;
     for (const std::string& line : explain_failure(report, options)) text += fmt::format("  {}\n", line);
     return text;
-}
-
-std::string xml(std::string_view text) {
-    std::string escaped;
-    for (const char c : text) switch (c) {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            escaped += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
-        }
-    return escaped;
 }
 
 } // namespace
@@ -100,15 +81,16 @@ std::string check_junit(std::span<const CheckReport> reports, const std::string&
         const std::string& name = report.kernel->name;
         const std::string family = name.substr(0, name.find('/'));
         const double seconds = report.nanoseconds * static_cast<double>(report.samples) * 1e-9;
-        cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"", xml(family),
-                             xml(name), seconds);
+        cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"",
+                             atlas::escape_html(family), atlas::escape_html(name), seconds);
         if (report.verdict == Verdict::pass) {
             cases += "/>\n";
             continue;
         }
         ++failed;
         cases += fmt::format(">\n    <failure type=\"{0}\" message=\"{0}\">{1}</failure>\n  </testcase>\n",
-                             xml(to_string(report.verdict)), xml(finding_text(report, options)));
+                             atlas::escape_html(to_string(report.verdict)),
+                             atlas::escape_html(finding_text(report, options)));
     }
     return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                        "<testsuite name=\"gnomon check\" tests=\"{}\" failures=\"{}\">\n{}</testsuite>",

@@ -121,19 +121,6 @@ bool Atlas::passes() const {
     });
 }
 
-std::string leading_comment(const std::string& text) {
-    std::string comment;
-    std::string_view rest = text;
-    while (rest.starts_with("//")) {
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
-        std::string_view line = rest.substr(2, end - 2);
-        if (line.starts_with(' ')) line.remove_prefix(1);
-        comment.append(line).append("\n");
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    return comment;
-}
-
 Atlas make_atlas(const std::vector<Family>& families, const Options& options,
                  const std::function<void(std::size_t)>& done) {
     std::vector<const Case*> kernels;

@@ -58,9 +58,6 @@ struct Atlas {
     bool passes() const; ///< every kernel does
 };
 
-/// The first comment of a kernel's file without its slashes; its lines end in '\n'.
-std::string leading_comment(const std::string& text);
-
 /// Checks every kernel of `families`, then runs those of the numbered cases over their witnesses. A kernel
 /// that fails is an entry that says so. `done` is told of the samples checked so far. Throws Error as check()
 /// does.

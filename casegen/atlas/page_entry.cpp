@@ -167,14 +167,6 @@ std::string facts(const Entry& entry, const PageContext& context) {
     return "<dl class=\"facts\">\n" + html + "</dl>\n";
 }
 
-std::string range(const Domain& domain) {
-    if (domain.choices.empty()) return fmt::format("{:g} to {:g}", domain.lower, domain.upper);
-    std::vector<std::string> choices;
-    for (const std::vector<double>& choice : domain.choices)
-        choices.push_back(fmt::format("{}", fmt::join(choice, ",")));
-    return fmt::format("one of {}", fmt::join(choices, " | "));
-}
-
 std::string kernel_text(const Entry& entry, const PageContext& context) {
     const Case& c = *entry.kernel;
     const std::string path = "kernels/" + c.name + ".glsl";
@@ -186,9 +178,9 @@ std::string kernel_text(const Entry& entry, const PageContext& context) {
         "<div class=\"wide\"><table><thead><tr><th>Parameter</th><th>Range</th><th>Unit</th><th>Meaning</th>"
         "</tr></thead><tbody>\n";
     for (const Parameter& p : c.parameters)
-        html +=
-            fmt::format("<tr><td><code>{}</code></td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        escape_html(p.name), range(p.domain), escape_html(p.unit), escape_html(p.meaning));
+        html += fmt::format("<tr><td><code>{}</code></td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                            escape_html(p.name), to_string(p.domain), escape_html(p.unit),
+                            escape_html(p.meaning));
     html +=
         fmt::format("<tr><td>result</td><td>{:g} to {:g}</td><td>{}</td><td>{}</td></tr>\n", c.result.lower,
                     c.result.upper, escape_html(c.result.unit), escape_html(c.result.meaning));
@@ -236,14 +228,6 @@ std::string worst_error(const CheckReport& report) {
 std::string nanoseconds_html(const CheckReport& report) {
     return fmt::format("<span class=\"time\">{}</span>",
                        report.worst ? fmt::format("{:.1f}", report.nanoseconds) : "–");
-}
-
-std::string signature(const Case& c) {
-    std::vector<std::string> parameters;
-    for (std::size_t i = 0; i < c.parameters.size(); ++i)
-        parameters.push_back(glsl_name(c.reference.parameters[i]) + " " + c.parameters[i].name);
-    return fmt::format("{} {}({})", glsl_name(c.reference.result), function_name(c),
-                       fmt::join(parameters, ", "));
 }
 
 std::string kind_of(const Entry& entry) {

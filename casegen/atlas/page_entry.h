@@ -29,9 +29,6 @@ std::string worst_error(const CheckReport& report);
 /// "12.3" in an element that marks what differs from run to run.
 std::string nanoseconds_html(const CheckReport& report);
 
-/// "vec2 p, float along_x" behind result and name.
-std::string signature(const Case& c);
-
 /// "constant", "step" or "ramp": what the reference does over the witness texel; "" without a witness.
 std::string kind_of(const Entry& entry);
 /// "lit", "shadowed" or "both": the texels that the condition asks for.

@@ -1,8 +1,7 @@
 // Twelve cases against four shapes: where the two published forms of SMSR agree. docs/revectorization.md 3.1
-#include "tests/support/four_shapes.h"
-
 #include "casegen/mask_families.h"
 #include "casegen/random.h"
+#include "casegen/reference/rbsm.h"
 #include "tests/support/masks.h"
 #include "tests/support/smsr_chain.h"
 
@@ -50,7 +49,7 @@ Comparison compare() {
             for (int i = 0; i < samples_per_texel; ++i) {
                 const glm::dvec2 p{random.unit(), random.unit()}; // braces: in this order
                 const double cases = testing::smsr_by_cases(edge, p);
-                const double shapes = testing::four_shape_visibility(edge, p);
+                const double shapes = reference::rbsm_silhouette(edge, p);
                 const std::size_t differs = cases != shapes ? 1 : 0;
                 for (Count* count : {&family, &kind}) ++count->samples, count->different += differs;
                 if (c->number == 8 && shapes > cases) ++result.case_8_lit_by_shapes;

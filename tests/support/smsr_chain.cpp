@@ -1,6 +1,6 @@
 #include "tests/support/smsr_chain.h"
 
-#include <gtest/gtest.h>
+#include "tests/support/case_chain.h"
 
 namespace gnomon::testing {
 
@@ -14,34 +14,19 @@ const std::vector<const Case*>& smsr_cases() {
     return cases;
 }
 
-const Case* smsr_case_of(const reference::Edge& edge) {
-    const Case* found = nullptr;
-    for (const Case* c : smsr_cases()) {
-        if (!applies(*c, edge)) continue;
-        EXPECT_EQ(found, nullptr) << found->name << " and " << c->name << " apply to one edge";
-        found = c;
-    }
-    return found;
+namespace {
+
+const CaseChain& chain() {
+    static const CaseChain cases("smsr");
+    return cases;
 }
 
+} // namespace
+
+const Case* smsr_case_of(const reference::Edge& edge) { return chain().case_of(edge); }
+
 double smsr_by_cases(const reference::Edge& edge, glm::dvec2 p) {
-    const Case* c = smsr_case_of(edge);
-    if (!c) return 1;
-    Facts facts;
-    facts.p = p;
-    facts.edge = edge;
-    Arguments arguments;
-    std::size_t word = 0;
-    for (std::size_t i = 0; i < c->parameters.size(); ++i) {
-        Numbers numbers{};
-        const int components = find_fact(c->parameters[i].name)(facts, numbers);
-        EXPECT_EQ(components, c->reference.parameters[i].components)
-            << c->name << " needs " << c->parameters[i].name << ", which this edge does not have";
-        std::copy_n(numbers.begin(), components,
-                    arguments.numbers.begin() + static_cast<std::ptrdiff_t>(word));
-        word += static_cast<std::size_t>(components);
-    }
-    return c->reference.call(arguments)[0];
+    return chain().value(Mask(), {}, edge, p); // no case looks beyond the edge
 }
 
 const std::vector<double>& SmsrChain::values(const reference::Edge& edge) {
