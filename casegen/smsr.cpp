@@ -22,6 +22,8 @@ Condition open_corner(unsigned side_y, unsigned dominant) {
     return corner(sets::lit, sets::one, side_y, sets::one_end, sets::one_end, dominant);
 }
 
+constexpr unsigned not_closed = sets::open | sets::one_end;
+
 // Distances from the shadowed side of the texel, as fractions of it.
 double from_plus_y(dvec2 p) { return 1 - p.y; }
 double from_minus_y(dvec2 p) { return p.y; }
@@ -59,12 +61,15 @@ const Family& table() {
                 .reference = [](dvec2) { return 0.0; },
                 .parameters = {p()},
                 .result = visibility,
-                .condition = {run_along_x(sets::lit, sets::some, sets::closed),
-                              run_along_y(sets::lit, sets::some, sets::closed),
-                              corner(sets::lit, sets::one, sets::one, sets::closed, sets::any_type,
-                                     sets::any_dominance),
-                              corner(sets::lit, sets::one, sets::one, sets::any_type, sets::closed,
-                                     sets::any_dominance)},
+                .condition =
+                    {run_along_x(sets::lit, sets::some, sets::closed),
+                     run_along_y(sets::lit, sets::some, sets::closed),
+                     {.light = sets::lit, .side_x = sets::both, .side_y = sets::one, .type_y = sets::closed},
+                     {.light = sets::lit, .side_x = sets::one, .side_y = sets::both, .type_x = sets::closed},
+                     corner(sets::lit, sets::one, sets::one, sets::closed, sets::any_type,
+                            sets::any_dominance),
+                     corner(sets::lit, sets::one, sets::one, sets::any_type, sets::closed,
+                            sets::any_dominance)},
                 .number = 2,
                 .formula = "0",
             },
@@ -74,10 +79,12 @@ const Family& table() {
                 .reference = [](dvec2) { return 0.0; },
                 .parameters = {p()},
                 .result = visibility,
-                .condition = {{.light = sets::lit, .side_x = sets::both, .side_y = sets::some},
-                              {.light = sets::lit, .side_x = sets::one, .side_y = sets::both},
-                              run_along_x(sets::lit, sets::both, sets::one_end),
-                              run_along_y(sets::lit, sets::both, sets::one_end)},
+                .condition =
+                    {{.light = sets::lit, .side_x = sets::both, .side_y = sets::both},
+                     {.light = sets::lit, .side_x = sets::both, .side_y = sets::one, .type_y = not_closed},
+                     {.light = sets::lit, .side_x = sets::one, .side_y = sets::both, .type_x = not_closed},
+                     run_along_x(sets::lit, sets::both, sets::one_end),
+                     run_along_y(sets::lit, sets::both, sets::one_end)},
                 .number = 3,
                 .formula = "0",
             },

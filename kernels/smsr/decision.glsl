@@ -17,7 +17,8 @@ uint smsr_decision(uvec2 sides, ivec2 type, bvec2 dominant) {
         if (sides.x == BOTH) return 3u;
         return sides.x == MINUS ? 11u : 12u;
     }
-    if (sides.x == BOTH || sides.y == BOTH) return 3u;
+    if (sides.x == BOTH) return sides.y != BOTH && type.y == 1 ? 2u : 3u;
+    if (sides.y == BOTH) return type.x == 1 ? 2u : 3u;
     if (type.x == 1 || type.y == 1) return 2u;
     if (dominant.x && dominant.y) return 8u;
     if (dominant.x) return 4u;

@@ -64,7 +64,8 @@ unsigned number_by_list(const reference::Edge& e) {
         return e.type.x == -1 ? 1 : e.type.x == 1 ? 2 : e.sides.y == both ? 3 : e.sides.y == plus ? 9 : 10;
     if (e.sides.y == neither)
         return e.type.y == -1 ? 1 : e.type.y == 1 ? 2 : e.sides.x == both ? 3 : e.sides.x == minus ? 11 : 12;
-    if (e.sides.x == both || e.sides.y == both) return 3;
+    if (e.sides.x == both && e.sides.y == both) return 3;
+    if (e.sides.x == both || e.sides.y == both) return (e.sides.x == both ? e.type.y : e.type.x) == 1 ? 2 : 3;
     if (e.type.x == 1 || e.type.y == 1) return 2;
     if (e.dominant.x && e.dominant.y) return 8;
     if (e.dominant.x) return 4;
