@@ -154,8 +154,10 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_y(lit, sets::neither, closed),
                 .number = 4,
-                .formula = "0 if n_-y = BOTH and n_+y = BOTH; p.x + p.y - 1 if n_+y = MINUS; p.y - p.x if "
-                           "n_+y = PLUS; p.x - p.y if n_-y = MINUS; 1 - p.x - p.y if n_-y = PLUS",
+                .formula = "0 if n_-y = BOTH and n_+y = BOTH; "
+                           "w_+y + p.y - 1 if n_-y = BOTH; "
+                           "w_-y - p.y if n_+y = BOTH; "
+                           "max(w_+y + p.y - 1, w_-y - p.y) otherwise",
             },
             {
                 .name = "rsmss/case_05",
@@ -166,7 +168,8 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_y(lit, one, closed),
                 .number = 5,
-                .formula = "0 if n = BOTH; q_y + p.x - 1 if n = MINUS; q_y - p.x if n = PLUS",
+                .formula = "0 if n = BOTH; "
+                           "q_y + w - 1 otherwise",
             },
             {
                 .name = "rsmss/case_06",
@@ -178,8 +181,10 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_x(lit, sets::neither, closed),
                 .number = 6,
-                .formula = "0 if n_-x = BOTH and n_+x = BOTH; p.x + p.y - 1 if n_+x = MINUS; p.x - p.y if "
-                           "n_+x = PLUS; p.y - p.x if n_-x = MINUS; 1 - p.x - p.y if n_-x = PLUS",
+                .formula = "0 if n_-x = BOTH and n_+x = BOTH; "
+                           "w_+x + p.x - 1 if n_-x = BOTH; "
+                           "w_-x - p.x if n_+x = BOTH; "
+                           "max(w_+x + p.x - 1, w_-x - p.x) otherwise",
             },
             {
                 .name = "rsmss/case_07",
@@ -193,7 +198,8 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_x(lit, one, closed),
                 .number = 7,
-                .formula = "0 if n = BOTH; q_x + p.y - 1 if n = MINUS; q_x - p.y if n = PLUS",
+                .formula = "0 if n = BOTH; "
+                           "q_x + w - 1 otherwise",
             },
             {
                 .name = "rsmss/case_08",
@@ -204,8 +210,8 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_y(lit, one, one_end),
                 .number = 8,
-                .formula = "1 - along_y if d_cb = NEITHER; min(q_y, 1 + p.x - along_y) if d_cb = MINUS; "
-                           "min(q_y, 2 - p.x - along_y) if d_cb = PLUS",
+                .formula = "1 - along_y if d_cb = NEITHER or d_cb = UNBROKEN; "
+                           "min(q_y, 1 + w_cb - along_y) otherwise",
             },
             {
                 .name = "rsmss/case_09",
@@ -216,8 +222,9 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_y(lit, sets::neither, one_end),
                 .number = 9,
-                .formula = "1 - along_y if d_cb = NEITHER; 1 + p.x - along_y if d_cb = MINUS; 2 - p.x - "
-                           "along_y if d_cb = PLUS",
+                .formula = "1 - along_y if d_cb = NEITHER or d_cb = UNBROKEN; "
+                           "max(1 + p.x - along_y, 2 - p.x - along_y) if d_cb = BOTH; "
+                           "1 + w_cb - along_y otherwise",
             },
             {
                 .name = "rsmss/case_10",
@@ -231,8 +238,8 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_x(lit, one, one_end),
                 .number = 10,
-                .formula = "1 - along_x if d_cb = NEITHER; min(q_x, 1 + p.y - along_x) if d_cb = MINUS; "
-                           "min(q_x, 2 - p.y - along_x) if d_cb = PLUS",
+                .formula = "1 - along_x if d_cb = NEITHER or d_cb = UNBROKEN; "
+                           "min(q_x, 1 + w_cb - along_x) otherwise",
             },
             {
                 .name = "rsmss/case_11",
@@ -244,8 +251,9 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_x(lit, sets::neither, one_end),
                 .number = 11,
-                .formula = "1 - along_x if d_cb = NEITHER; 1 + p.y - along_x if d_cb = MINUS; 2 - p.y - "
-                           "along_x if d_cb = PLUS",
+                .formula = "1 - along_x if d_cb = NEITHER or d_cb = UNBROKEN; "
+                           "max(1 + p.y - along_x, 2 - p.y - along_x) if d_cb = BOTH; "
+                           "1 + w_cb - along_x otherwise",
             },
             {
                 .name = "rsmss/case_12",
@@ -256,11 +264,13 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_y(shadowed, one, one_end | closed),
                 .number = 12,
-                .formula =
-                    "along_y if n = NEITHER; max(1 - q_y, along_y - p.x) if n = MINUS; "
-                    "max(1 - q_y, along_y + p.x - 1) if n = PLUS; max(1 - q_y, 1 - p.x) if n = BOTH and d_cb "
-                    "= MINUS; "
-                    "max(1 - q_y, p.x) if n = BOTH and d_cb = PLUS; along_y if n = BOTH and d_cb = NEITHER",
+                .formula = "along_y if n = NEITHER; "
+                           "0 if n = BOTH and d_cb = UNBROKEN and t_v = 1; "
+                           "along_y if n = BOTH and d_cb = UNBROKEN; "
+                           "along_y if n = BOTH and d_cb = NEITHER; "
+                           "max(1 - q_y, 1 - w_cb) if n = BOTH; "
+                           "max(1 - q_y, 1 - w) if t_v = 1; "
+                           "max(1 - q_y, along_y - w) otherwise",
             },
             {
                 .name = "rsmss/case_13",
@@ -271,8 +281,12 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_y(shadowed, sets::neither, one_end | closed),
                 .number = 13,
-                .formula = "along_y if d_cb = NEITHER; along_y - p.x if d_cb = MINUS; along_y + p.x - 1 if "
-                           "d_cb = PLUS",
+                .formula = "0 if d_cb = UNBROKEN and t_v = 1; "
+                           "along_y if d_cb = UNBROKEN or d_cb = NEITHER; "
+                           "min(1 - p.x, p.x) if d_cb = BOTH and t_v = 1; "
+                           "min(along_y - p.x, along_y + p.x - 1) if d_cb = BOTH; "
+                           "1 - w_cb if t_v = 1; "
+                           "along_y - w_cb otherwise",
             },
             {
                 .name = "rsmss/case_14",
@@ -287,11 +301,13 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_x(shadowed, one, one_end | closed),
                 .number = 14,
-                .formula =
-                    "along_x if n = NEITHER; max(1 - q_x, along_x - p.y) if n = MINUS; "
-                    "max(1 - q_x, along_x + p.y - 1) if n = PLUS; max(1 - q_x, 1 - p.y) if n = BOTH and d_cb "
-                    "= MINUS; "
-                    "max(1 - q_x, p.y) if n = BOTH and d_cb = PLUS; along_x if n = BOTH and d_cb = NEITHER",
+                .formula = "along_x if n = NEITHER; "
+                           "0 if n = BOTH and d_cb = UNBROKEN and t_h = 1; "
+                           "along_x if n = BOTH and d_cb = UNBROKEN; "
+                           "along_x if n = BOTH and d_cb = NEITHER; "
+                           "max(1 - q_x, 1 - w_cb) if n = BOTH; "
+                           "max(1 - q_x, 1 - w) if t_h = 1; "
+                           "max(1 - q_x, along_x - w) otherwise",
             },
             {
                 .name = "rsmss/case_15",
@@ -305,8 +321,12 @@ const Family& table() {
                 .tolerance = three_roundings,
                 .condition = slot_x(shadowed, sets::neither, one_end | closed),
                 .number = 15,
-                .formula = "along_x if d_cb = NEITHER; along_x - p.y if d_cb = MINUS; along_x + p.y - 1 if "
-                           "d_cb = PLUS",
+                .formula = "0 if d_cb = UNBROKEN and t_h = 1; "
+                           "along_x if d_cb = UNBROKEN or d_cb = NEITHER; "
+                           "min(1 - p.y, p.y) if d_cb = BOTH and t_h = 1; "
+                           "min(along_x - p.y, along_x + p.y - 1) if d_cb = BOTH; "
+                           "1 - w_cb if t_h = 1; "
+                           "along_x - w_cb otherwise",
             },
             {
                 .name = "rsmss/case_16",

@@ -118,7 +118,10 @@ std::string names_of_formulas(const Atlas& atlas) {
         {{"n"}, "sides across the slot or bar of the next texel, away from its closed end"},
         {{"n_-x", "n_+x", "n_-y", "n_+y"}, "the same of the next texel that way"},
         {{"d_cb"}, "sides left where the slot or bar first loses a wall"},
+        {{"w", "w_-x", "w_+x", "w_-y", "w_+y"}, "distance from the wall that this next texel still has"},
+        {{"w_cb"}, "distance from the wall that is left there"},
         {{"NEITHER", "MINUS", "PLUS", "BOTH"}, "sides: none, −, +, both"},
+        {{"UNBROKEN"}, "no wall is lost within 16 texels"},
         {{"E_x", "E_y"}, "light beside the x side, beside the y side, each as if alone, entering"},
         {{"X_x", "X_y"}, "the same, exiting"},
     };
