@@ -105,7 +105,7 @@ int main(int count, char** arguments) {
         if (count > 3) throw gnomon::Error("check_readings [LIGHTS] [SHADOW MAP]");
         gnomon::run(static_cast<unsigned>(count > 1 ? gnomon::number(arguments[1], 1, 1000) : 4),
                     count > 2 ? gnomon::number(arguments[2], 16, 4096) : 512);
-    } catch (const gnomon::Error& error) {
+    } catch (const std::exception& error) {
         fmt::print(stderr, "check_readings: {}\n", error.what());
         return 2;
     }

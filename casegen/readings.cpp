@@ -96,6 +96,8 @@ Readings parse_readings(const std::vector<std::string>& settings) {
 
 Readings readings_for(const std::string& technique, const std::vector<std::string>& settings) {
     const Readings chosen = parse_readings(settings);
+    if (chosen != Readings{} && (technique == "none" || technique == "raytraced"))
+        throw Error("--reading {}: --technique {} asks no shadow map", to_string(chosen), technique);
     if (chosen.rsmss != 0 && technique != "rsmss")
         throw Error("--reading {}: only --technique rsmss is read in more than one way, {} is not",
                     to_string({.rsmss = chosen.rsmss}), technique);

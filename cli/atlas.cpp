@@ -5,6 +5,7 @@
 #include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/report.h"
+#include "cli/view.h"
 
 #include <fmt/format.h>
 
@@ -39,10 +40,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     require_no_validation_messages();
     write_atlas(path, atlas, common, replay);
 
-    std::size_t cases = 0, failed = 0;
-    for (const atlas::FamilyEntries& family : atlas.families) cases += family.cases.size();
-    for (const CheckReport& report : reports_of(atlas)) failed += report.verdict != Verdict::pass ? 1 : 0;
-    fmt::print("{} cases are in {}; {} kernels fail\n", cases, path.string(), failed);
+    fmt::print("{}", atlas_summary(atlas, path));
     return atlas.passes() ? 0 : 1;
 }
 
@@ -52,7 +50,9 @@ void add_atlas(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "atlas", "write one HTML page about every case: mask, condition, formula, values, error, cost");
     auto options = std::make_shared<Options>();
-    verb->add_option("OUT_DIR", options->folder, "folder for index.html, made if it is missing")->required();
+    verb->add_option("OUT_DIR", options->folder, "folder for index.html, made if it is missing")
+        ->required()
+        ->check(not_empty());
     verb->add_option("--samples", options->samples,
                      "inputs per kernel; pins and hostile values are always all run")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))

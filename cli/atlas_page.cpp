@@ -4,21 +4,13 @@
 #include "runtime/error.h"
 #include "runtime/files.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace gnomon::cli {
-namespace {
 
 namespace fs = std::filesystem;
-
-std::string link_to_kernels(const fs::path& folder, const fs::path& kernels) {
-    const fs::path target = fs::canonical(kernels);
-    const fs::path link = target.lexically_relative(fs::canonical(folder));
-    const fs::path from_repository = fs::canonical(folder).lexically_relative(target.parent_path());
-    const bool inside = !from_repository.empty() && *from_repository.begin() != "..";
-    return inside ? link.generic_string() : std::string();
-}
-
-} // namespace
-
 atlas::Options atlas_options(const Common& common) {
     atlas::Options options;
     options.check.kernels = common.kernels;
@@ -38,7 +30,15 @@ fs::path require_atlas_folder(const fs::path& folder) {
 
 void write_atlas(const fs::path& path, const atlas::Atlas& atlas, const Common& common,
                  const std::string& replay) {
-    write_file(path, atlas::page(atlas, link_to_kernels(path.parent_path(), common.kernels), replay));
+    write_file(path, atlas::page(atlas, atlas::link_to_kernels(path.parent_path(), common.kernels), replay));
+}
+
+std::string atlas_summary(const atlas::Atlas& atlas, const fs::path& path) {
+    std::size_t cases = 0;
+    for (const atlas::FamilyEntries& family : atlas.families) cases += family.cases.size();
+    const auto failed = std::ranges::count_if(
+        reports_of(atlas), [](const CheckReport& report) { return report.verdict != Verdict::pass; });
+    return fmt::format("{} cases are in {}; {} kernels fail\n", cases, path.string(), failed);
 }
 
 std::vector<CheckReport> reports_of(const atlas::Atlas& atlas) {

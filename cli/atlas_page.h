@@ -16,10 +16,12 @@ atlas::Options atlas_options(const Common& common);
 /// Makes the folder and returns the page's path in it. Throws Error if either cannot be written.
 std::filesystem::path require_atlas_folder(const std::filesystem::path& folder);
 
-/// Links from the page lead to the kernels if both lie in one repository: else they would lead nowhere on
-/// another machine. `replay`: see replay_command.
+/// `replay`: see replay_command.
 void write_atlas(const std::filesystem::path& path, const atlas::Atlas& atlas, const Common& common,
                  const std::string& replay);
+
+/// "52 cases are in out/atlas/index.html; 0 kernels fail".
+std::string atlas_summary(const atlas::Atlas& atlas, const std::filesystem::path& path);
 
 /// Every kernel's report, numbered or not, in the catalogue's order.
 std::vector<CheckReport> reports_of(const atlas::Atlas& atlas);

@@ -5,6 +5,7 @@
 #include "cli/atlas_page.h"
 #include "cli/commands.h"
 #include "cli/explain.h"
+#include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/rendering.h"
 #include "cli/report.h"
@@ -14,6 +15,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <memory>
 
 namespace gnomon::cli {
@@ -26,10 +29,12 @@ struct Options {
     std::vector<int> shadow_maps{1024};
     unsigned lights = 0; // 0: the one of `view`
     std::filesystem::path json, atlas;
+    std::string of_views; // the first option given that only scenes have
 };
 
 bool is_mask(const std::string& path) {
-    const std::string extension = std::filesystem::path(path).extension().string();
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
     return extension == ".png" || extension == ".txt";
 }
 
@@ -83,26 +88,30 @@ nlohmann::ordered_json json_of(const Options& options, const Family& family, con
 }
 
 /// The atlas with these shares beside those of the masks that it counts itself.
-void write_page(const std::filesystem::path& page, const Family& family, const std::vector<CaseShare>& shares,
-                std::size_t censuses, const Common& common) {
+/// Returns the exit code: a kernel may fail.
+int write_page(const std::filesystem::path& page, const Family& family, const std::vector<CaseShare>& shares,
+               std::size_t censuses, const Common& common, const std::string& replay) {
     atlas::Options options = atlas_options(common);
     atlas::Census census{censuses == 1 ? "this census" : fmt::format("mean of {} censuses", censuses), {}};
     for (const CaseShare& s : shares) census.shares[family.name][s.c->number] = s.mean;
     options.censuses = {std::move(census)};
-    write_atlas(page, atlas::make_atlas(catalogue(), options), common, {});
+    const atlas::Atlas made = atlas::make_atlas(catalogue(), options);
     require_no_validation_messages();
+    write_atlas(page, made, common, replay);
+    fmt::print("{}", atlas_summary(made, page));
+    return made.passes() ? 0 : 1;
 }
 
-void run(const Options& options, const Common& common) {
+int run(const Options& options, const Common& common, const std::string& replay) {
     const Family& family = technique_family(options.technique);
     if (!options.json.empty()) require_writable(options.json);
     std::filesystem::path page;
     if (!options.atlas.empty()) page = require_atlas_folder(options.atlas);
     std::vector<std::string> inputs = options.inputs;
     if (inputs.empty()) inputs.emplace_back(); // the demo scene
-    for (const std::string& input : inputs)
-        if (is_mask(input) && options.lights > 0)
-            throw Error("--lights says nothing about the mask {}", input);
+    const auto masks = static_cast<std::size_t>(std::ranges::count_if(inputs, is_mask));
+    if (masks == inputs.size() && !options.of_views.empty())
+        throw Error("{} says nothing about a mask; it is about how a scene is seen", options.of_views);
 
     std::vector<Census> found;
     Progress progress("counting");
@@ -131,19 +140,21 @@ void run(const Options& options, const Common& common) {
         }
     }
     const std::vector<CaseShare> shares = case_shares(family, censuses);
-    if (!options.atlas.empty()) write_page(page, family, shares, found.size(), common);
     if (!options.json.empty())
         write_file(options.json, json_of(options, family, found, shares, device)
                                          .dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
                                      "\n");
     fmt::print("{}{} of {} {} are of a case ({} {})\n", census_table(shares, found.size() > 1), of_cases, all,
-               is_mask(inputs.front()) ? "texels" : "pixels", found.size(),
-               found.size() == 1 ? "census" : "censuses; mean and deviation are over them");
+               masks == inputs.size() ? "texels"
+               : masks == 0           ? "pixels"
+                                      : "texels and pixels",
+               found.size(), found.size() == 1 ? "census" : "censuses; mean and deviation are over them");
+    return options.atlas.empty() ? 0 : write_page(page, family, shares, found.size(), common, replay);
 }
 
 } // namespace
 
-void add_census(CLI::App& app, Common& common) {
+void add_census(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand("census", "count how often each case of a technique occurs");
     auto options = std::make_shared<Options>();
     verb->add_option("INPUT", options->inputs,
@@ -171,7 +182,13 @@ void add_census(CLI::App& app, Common& common) {
         ->check(not_empty());
     verb->footer("  gnomon census --technique smsr --shadow-map 256,512,1024,2048 --lights 16\n"
                  "  gnomon census mask.png --json shares.json");
-    verb->callback([options, &common] { run(*options, common); });
+    verb->callback([options, verb, &app, &common, &exit_code] {
+        for (const char* name :
+             {"--lights", "--shadow-map", "--camera-position", "--camera-direction", "--fov", "--near",
+              "--far", "--light-direction", "--light-position", "--size", "--bias", "--receiver"})
+            if (options->of_views.empty() && verb->count(name) > 0) options->of_views = name;
+        exit_code = run(*options, common, replay_options(app));
+    });
 }
 
 } // namespace gnomon::cli

@@ -26,7 +26,7 @@ void add_check(CLI::App& app, Common& common, int& exit_code);
 void add_eval(CLI::App& app, Common& common);
 void add_revectorize(CLI::App& app, Common& common);
 void add_render(CLI::App& app, Common& common);
-void add_census(CLI::App& app, Common& common);
+void add_census(CLI::App& app, Common& common, int& exit_code);
 void add_atlas(CLI::App& app, Common& common, int& exit_code);
 void add_demo(CLI::App& app, Common& common, int& exit_code);
 

@@ -4,6 +4,7 @@
 #include "casegen/technique.h"
 #include "cli/atlas_page.h"
 #include "cli/commands.h"
+#include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/rendering.h"
 #include "cli/report.h"
@@ -31,7 +32,7 @@ atlas::Census census_of(Renderer& renderer) {
 
 /// Checks every kernel and tells of each in the atlas. Returns the exit code.
 int check_all(const Common& common, atlas::Census census, const std::filesystem::path& page,
-              nlohmann::ordered_json& report) {
+              const std::string& replay, nlohmann::ordered_json& report) {
     atlas::Options options = atlas_options(common);
     options.censuses = {std::move(census)};
     atlas::Atlas atlas;
@@ -41,10 +42,10 @@ int check_all(const Common& common, atlas::Census census, const std::filesystem:
         atlas =
             atlas::make_atlas(catalogue(), options, [&](std::size_t done) { progress.show(done, total); });
     }
-    write_atlas(page, atlas, common, {});
+    write_atlas(page, atlas, common, replay);
     const std::vector<CheckReport> reports = reports_of(atlas);
-    fmt::print("{}\n", check_text(reports, {}));
-    report["kernels"] = nlohmann::ordered_json::parse(check_json(reports, {}))["kernels"];
+    fmt::print("{}\n", check_text(reports, replay));
+    report["kernels"] = nlohmann::ordered_json::parse(check_json(reports, replay))["kernels"];
     return atlas.passes() ? 0 : 1;
 }
 
@@ -71,7 +72,7 @@ Image side_by_side(const std::vector<Judged>& all) {
     return sheet;
 }
 
-int run(const std::filesystem::path& folder, const Common& common) {
+int run(const std::filesystem::path& folder, const Common& common, const std::string& replay) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw Error("{}: cannot be made a folder: {}", folder.string(), error.message());
@@ -88,7 +89,7 @@ int run(const std::filesystem::path& folder, const Common& common) {
     Renderer renderer(device, kernel_sources(common.kernels), scene, camera, light, settings);
 
     nlohmann::ordered_json report{{"gnomon", GNOMON_VERSION}};
-    const int exit_code = check_all(common, census_of(renderer), page, report);
+    const int exit_code = check_all(common, census_of(renderer), page, replay, report);
     std::vector<Judged> all;
     std::vector<std::string> names = technique_names();
     const Rendering truth = renderer.render(technique_by_name("raytraced"));
@@ -129,7 +130,8 @@ void add_demo(CLI::App& app, Common& common, int& exit_code) {
     auto folder = std::make_shared<std::filesystem::path>("out/demo");
     verb->add_option("--out", *folder, "folder for pictures, report.json and atlas/index.html")
         ->capture_default_str();
-    verb->callback([folder, &common, &exit_code] { exit_code = run(*folder, common); });
+    verb->callback(
+        [folder, &app, &common, &exit_code] { exit_code = run(*folder, common, replay_options(app)); });
 }
 
 } // namespace gnomon::cli

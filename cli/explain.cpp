@@ -1,6 +1,7 @@
 #include "cli/explain.h"
 
 #include "casegen/technique.h"
+#include "runtime/error.h"
 #include "runtime/glsl/optimizer.h"
 
 #include <fmt/format.h>
@@ -47,8 +48,9 @@ double compiler_milliseconds(const glsl::Sources& sources, const Technique& tech
 Technique unseen(const glsl::Sources& sources, Technique technique) {
     static unsigned seen = static_cast<unsigned>(Clock::now().time_since_epoch().count());
     std::string text = visibility_sources(sources, technique).generated.at("technique");
-    text.insert(text.find("    return"),
-                fmt::format("    if (texel.x == -{}) return 0.5;\n", 20000 + ++seen % 2000000000u));
+    const std::size_t body = text.find("    return");
+    if (body == std::string::npos) throw Error("<technique> has no return to put a question before");
+    text.insert(body, fmt::format("    if (texel.x == -{}) return 0.5;\n", 20000 + ++seen % 2000000000u));
     technique.generated["technique"] = text;
     return technique;
 }
@@ -124,8 +126,7 @@ std::string explanation_text(const Family& family, const Explanation& e) {
     text += fmt::format("left out             cases {}; facts {}\n",
                         list(numbers(left_out_cases(family, e.assembly))),
                         list(facts_left_out(family, e.assembly)));
-    text += fmt::format("{:<34}{:>12}{:>12}{:>8}\n", "the visibility kernel", "all cases", "this view's",
-                        "ratio");
+    text += fmt::format("{:<34}{:>12}{:>12}{:>8}\n", "the visibility kernel", "all, switch", "held", "ratio");
     const auto row = [&](const char* what, const Pair& pair, const char* unit, int digits) {
         text += fmt::format("  {:<32}{:>9.{}f} {:<2}{:>9.{}f} {:<2}{:>8.3f}\n", what, pair.all, digits, unit,
                             pair.reduced, digits, unit, pair.ratio());

@@ -55,7 +55,7 @@ int run(int argc, char** argv) {
     cli::add_eval(app, common);
     cli::add_revectorize(app, common);
     cli::add_render(app, common);
-    cli::add_census(app, common);
+    cli::add_census(app, common, exit_code);
     cli::add_atlas(app, common, exit_code);
     cli::add_demo(app, common, exit_code);
     cli::add_devices(app, common);

@@ -1,3 +1,4 @@
+#include "casegen/atlas/frequency.h"
 #include "casegen/census.h"
 #include "casegen/standalone.h"
 #include "casegen/technique.h"
@@ -22,12 +23,12 @@ namespace gnomon::cli {
 namespace {
 
 struct Options {
-    std::string scene, technique = "smsr", assembly = "full";
+    std::string scene, technique = "smsr", assembly = "full", variant = to_string(Variant::frequency_order);
     bool explain = false;
     ViewOptions view;
     std::vector<std::string> readings;
     int shadow_map = 1024, frames = 5;
-    std::filesystem::path report, image, errors;
+    std::filesystem::path census, report, image, errors;
 };
 
 /// Throws Error before minutes of work if one of the outputs cannot be written, or would replace another.
@@ -46,9 +47,31 @@ void require_outputs(const Options& options) {
     }
 }
 
-/// The cases that this very view shows, most frequent first.
-Assembly assembly_of(const Family& family, const Counts& counts) {
-    return {Variant::switch_by_number, cases_by_frequency(family, counts)};
+/// The cases of a census, most frequent first.
+std::vector<unsigned> cases_of(const Family& family, const std::filesystem::path& path) {
+    const atlas::Census census = atlas::read_census(path);
+    const auto shares = census.shares.find(family.name);
+    if (shares == census.shares.end()) throw Error("'{}' counts no cases of {}", path.string(), family.name);
+    std::vector<std::pair<double, unsigned>> met;
+    for (const auto& [number, share] : shares->second)
+        if (share > 0) met.emplace_back(-share, number);
+    std::ranges::sort(met);
+    std::vector<unsigned> numbers;
+    for (const auto& [share, number] : met) numbers.push_back(number);
+    return numbers.empty() ? std::vector<unsigned>{0} : numbers;
+}
+
+Assembly assembly_of(const Options& options, const Family& family, const Counts& counts) {
+    const auto variant = std::ranges::find(all_variants(), options.variant,
+                                           [](Variant v) { return std::string(to_string(v)); });
+    return {*variant,
+            options.census.empty() ? cases_by_frequency(family, counts) : cases_of(family, options.census)};
+}
+
+std::vector<std::string> variant_names() {
+    std::vector<std::string> names;
+    for (const Variant variant : all_variants()) names.emplace_back(to_string(variant));
+    return names;
 }
 
 void run(const Options& options, const Common& common) {
@@ -76,7 +99,7 @@ void run(const Options& options, const Common& common) {
     if (needs_census) {
         const Family& family = technique_family(options.technique);
         const Counts counts = renderer.census(technique);
-        const Assembly assembly = assembly_of(family, counts);
+        const Assembly assembly = assembly_of(options, family, counts);
         if (options.explain)
             explanation = explain(renderer, kernel_sources(common.kernels, readings), family, counts,
                                   assembly, std::max(options.frames, 15));
@@ -98,6 +121,7 @@ void run(const Options& options, const Common& common) {
                                   {"view", view_json(camera, light, settings)}};
     report.update(judged_json(judged));
     report["assembly"] = options.assembly;
+    if (options.assembly == "scene") report["left_out_pixels"] = judged.rendering.left_out;
     if (readings != Readings{}) report["readings"] = to_string(readings);
     if (explanation)
         report["explanation"] = explanation_json(technique_family(options.technique), *explanation);
@@ -138,6 +162,14 @@ void add_render(CLI::App& app, Common& common) {
         ->capture_default_str();
     verb->add_flag("--explain", options->explain,
                    "what leaving cases out is worth here: census, cases, instructions, times");
+    verb->add_option(
+            "--census", options->census,
+            "JSON file of gnomon census: with --assembly scene, hold the cases counted there instead")
+        ->check(not_empty());
+    verb->add_option("--variant", options->variant,
+                     "how a view's cases are chosen among: docs/assembly.md says what each is")
+        ->check(CLI::IsMember(variant_names()))
+        ->capture_default_str();
     add_reading_option(*verb, options->readings);
     add_view_options(*verb, options->view);
     verb->add_option("--shadow-map", options->shadow_map, "texels on a side of the shadow map")

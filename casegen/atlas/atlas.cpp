@@ -57,6 +57,21 @@ bool runs(const CheckReport& report) {
     return report.verdict != Verdict::compile_error && report.verdict != Verdict::timeout;
 }
 
+/// The smallest witness of the case; or, if nothing is to be seen there, of its first way on which something
+/// is.
+std::optional<Witness> telling_witness(const Entry& entry) {
+    const Case& c = *entry.kernel;
+    const auto varies = [&](const Witness& witness) {
+        const ValueMap map = make_value_map(c, value_records(c, witness, points / 4), points / 4, nullptr);
+        return std::ranges::any_of(map.want, [&](double v) { return v != map.want.front(); });
+    };
+    std::optional<Witness> smallest = smallest_witness(c);
+    if (!smallest || varies(*smallest)) return smallest;
+    for (const Way& way : entry.ways)
+        if (varies(way.witness)) return way.witness;
+    return smallest;
+}
+
 void add_values(Entry& entry, Runner& runner) {
     const Case& c = *entry.kernel;
     const Records records = value_records(c, *entry.witness, points);
@@ -153,13 +168,15 @@ Atlas make_atlas(const std::vector<Family>& families, const Options& options,
             entry.report = *report_of[&c];
             entry.text = text_or_nothing(options.check.kernels / (c.name + ".glsl"));
             entry.comment = leading_comment(entry.text);
-            entry.witness = smallest_witness(c);
             entry.share = corpus_share(c, pool);
-            if (entry.witness) add_values(entry, runner);
             entries.cases.push_back(std::move(entry));
         }
         std::ranges::stable_sort(entries.cases, {}, [](const Entry& e) { return e.kernel->number; });
         if (!entries.cases.empty()) add_ways(entries);
+        for (Entry& entry : entries.cases) {
+            entry.witness = telling_witness(entry);
+            if (entry.witness) add_values(entry, runner);
+        }
         add_revectorized(entries, entries.kernels, runner);
         atlas.families.push_back(std::move(entries));
     }

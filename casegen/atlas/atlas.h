@@ -31,7 +31,8 @@ struct Entry {
     CheckReport report;
     std::string text;    ///< of the kernel's file; empty if it cannot be read
     std::string comment; ///< the one that it begins with
-    std::optional<Witness> witness;
+    std::optional<Witness>
+        witness; ///< the smallest at which the reference varies over the texel, if any does
     std::optional<ValueMap> values;    ///< over the witness texel
     std::optional<Image> revectorized; ///< the whole witness, by the family's assembled kernel
     std::vector<Way> ways;

@@ -57,7 +57,8 @@ CorpusShare corpus_share(const Case& c, const EdgePool& pool) {
     if (masks == 0) return share;
     share.overall = all_applied / all_edges;
     share.mean = sum / masks;
-    share.deviation = std::sqrt(std::max(0.0, squares / masks - share.mean * share.mean));
+    if (masks > 1) // the sample's, as everywhere
+        share.deviation = std::sqrt(std::max(0.0, (squares - masks * share.mean * share.mean) / (masks - 1)));
     return share;
 }
 

@@ -43,7 +43,8 @@ std::string introduction(const Atlas& atlas) {
     std::string html = fmt::format(
         "<h1>Atlas of cases</h1>\n<p class=\"lead\">Every case of every decision list in gnomon’s catalogue: "
         "the "
-        "smallest shadow mask that leads to it, what it computes there as run on the device, and how that "
+        "smallest shadow mask that leads to it and shows something, what it computes there as run on the "
+        "device, and how that "
         "differs "
         "from the C++ reference. {} cases, {}.</p>\n",
         cases, failed == 0 ? "all of which pass" : fmt::format("<b>{} of which fail</b>", failed));
@@ -235,6 +236,14 @@ std::string page(const Atlas& atlas, const std::string& kernels, const std::stri
         html += others(family, replay) + "</section>\n";
     }
     return html + "</main>\n<script>\n" + page_script + "</script>\n</body>\n</html>\n";
+}
+
+std::string link_to_kernels(const std::filesystem::path& folder, const std::filesystem::path& kernels) {
+    const std::filesystem::path from = std::filesystem::canonical(folder),
+                                to = std::filesystem::canonical(kernels);
+    const std::filesystem::path below = from.lexically_relative(to.parent_path());
+    const bool inside = !below.empty() && *below.begin() != "..";
+    return inside ? to.lexically_relative(from).generic_string() : std::string();
 }
 
 } // namespace gnomon::atlas

@@ -12,4 +12,8 @@ namespace gnomon::atlas {
 /// if it cannot. `replay`: see replay_command.
 std::string page(const Atlas& atlas, const std::string& kernels, const std::string& replay = {});
 
+/// From a page in `folder` to the kernels, if both lie in the folder that holds the kernels': else a link
+/// would lead nowhere on another machine, and is empty. Both must exist.
+std::string link_to_kernels(const std::filesystem::path& folder, const std::filesystem::path& kernels);
+
 } // namespace gnomon::atlas

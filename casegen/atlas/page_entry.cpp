@@ -76,8 +76,7 @@ std::string pictures(const Entry& entry) {
                "pictures.</p>\n";
     const Witness& witness = *entry.witness;
     const std::string words = witness_words(witness);
-    std::string html =
-        figure("witness", framed(witness_svg(witness, words)), "Smallest witness", escape_html(words));
+    std::string html = figure("witness", framed(witness_svg(witness, words)), "Witness", escape_html(words));
     if (entry.revectorized)
         html += figure(
             "after",

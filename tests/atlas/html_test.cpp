@@ -1,5 +1,6 @@
 #include "casegen/atlas/html.h"
 
+#include "casegen/atlas/page.h"
 #include "runtime/image.h"
 #include "tests/support/temporary_folder.h"
 
@@ -44,6 +45,18 @@ TEST(glsl_to_html, colours_and_escapes) {
         glsl_to_html("#include <smsr/cases>\na # b /* c\n*/ d /* e"),
         "<span class=\"d\">#include &lt;smsr/cases&gt;</span>\na # b <span class=\"c\">/* c\n*/</span> d "
         "<span class=\"c\">/* e</span>");
+}
+
+TEST(page_links, lead_to_the_kernels_of_the_same_repository_only) {
+    const testing::TemporaryFolder folder;
+    for (const char* name : {"repository/kernels", "repository/out/atlas", "elsewhere"})
+        std::filesystem::create_directories(folder.path() / name);
+    const auto link = [&](const char* from) {
+        return atlas::link_to_kernels(folder.path() / from, folder.path() / "repository/kernels");
+    };
+    EXPECT_EQ(link("repository/out/atlas"), "../../kernels");
+    EXPECT_EQ(link("repository"), "kernels");
+    EXPECT_EQ(link("elsewhere"), "");
 }
 
 } // namespace

@@ -78,8 +78,7 @@ TEST_P(assemblies, give_the_same_bits_in_every_variant) {
             for (const bool count : {false, true}) {
                 const Words got = run(records, {variant, cases, count});
                 std::size_t differing = 0;
-                for (std::size_t i = 0; i < expected.size(); ++i)
-                    differing += got[i] == expected[i] ? 0 : 1;
+                for (std::size_t i = 0; i < expected.size(); ++i) differing += got[i] == expected[i] ? 0 : 1;
                 EXPECT_EQ(differing, 0u) << to_string(variant) << (cases.empty() ? "" : ", backwards")
                                          << (count ? ", counting" : "");
             }

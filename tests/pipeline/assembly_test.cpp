@@ -1,6 +1,7 @@
 // Leaving out the cases that a view does not need changes no pixel, whatever the view turns into.
 #include "casegen/census.h"
 #include "casegen/demo_scene.h"
+#include "casegen/readings.h"
 #include "casegen/technique.h"
 #include "tests/pipeline/scenes.h"
 #include "tests/pipeline/view.h"
@@ -123,6 +124,22 @@ TEST_P(Assemblies, LeftOutOneByOneAreMissedByTheirPixels) {
         EXPECT_EQ(got.left_out, counts[without->number]) << without->name;
         EXPECT_EQ(differing(got, expected), 0u) << without->name;
     }
+}
+
+/// The frame that is found again is of the same reading.
+TEST(AssembliesOfAReading, FallBackToTheSameReading) {
+    const Scene scene = demo_scene();
+    const auto renderer = make_renderer(scene, demo_view(160, 120, 64));
+    const Family& family = technique_family("rsmss");
+    Technique full = technique_of(family), nothing = technique_of(family, {Variant::switch_by_number, {0}});
+    const Rendering usual = renderer->render(full, 1);
+    for (Technique* technique : {&full, &nothing})
+        technique->generated.merge(
+            reading_sources(parse_readings({"bar=ramp", "slot-end=printed", "long-runs=whole"})));
+    const Rendering wanted = renderer->render(full, 1), got = renderer->render(nothing, 1);
+    EXPECT_GT(got.left_out, 0u);
+    EXPECT_EQ(got.visibility, wanted.visibility);
+    EXPECT_NE(got.visibility, usual.visibility);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Assemblies, ::testing::ValuesIn(numbered_techniques()));

@@ -4,6 +4,7 @@
 #include "casegen/reference/revectorize.h"
 #include "runtime/files.h"
 #include "tests/pipeline/cli.h"
+#include "tests/support/environment.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -151,6 +152,28 @@ TEST(CensusAtlas, ShowsTheSharesAtEveryCase) {
     EXPECT_THAT(page, ::testing::HasSubstr("this census"));
     EXPECT_THAT(page, ::testing::HasSubstr("rsmss/case_27"));
     expect_refused(folder, {"census", mask, "--atlas", folder.write("taken", "")}, "taken");
+}
+
+TEST(CensusAtlas, SaysWhenAKernelFails) {
+    const TemporaryFolder folder;
+    std::filesystem::copy(kernels_folder(), folder.path() / "kernels",
+                          std::filesystem::copy_options::recursive);
+    folder.write("kernels/smsr/case_09.glsl", "float smsr_case_09(vec2 p, float along_x) { return 0.5; }\n");
+    const std::string mask = folder.write("mask.txt", ".#\n");
+    const Ran ran = run_gnomon({"census", mask, "--kernels", folder.path() / "kernels", "--technique",
+                                "rsmss", "--atlas", folder.path() / "atlas"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_THAT(ran.out, ::testing::HasSubstr("kernels fail"));
+    EXPECT_THAT(read_file(folder.path() / "atlas" / "index.html"), ::testing::HasSubstr("--kernels"));
+}
+
+TEST(CensusOptions, OfViewsAreRefusedForMasks) {
+    const TemporaryFolder folder;
+    const std::string mask = folder.write("mask.TXT", ".#\n");
+    run_well({"census", mask});
+    for (const Arguments& option :
+         {Arguments{"--shadow-map", "256"}, {"--camera-position", "1,2,3"}, {"--size", "64x64"}})
+        expect_refused(folder, Arguments{"census", mask} + option, option[0]);
 }
 
 } // namespace

@@ -383,5 +383,25 @@ TEST(Render, RefusesToLookFromTheCentreToTheCentre) {
     expect_refused(folder, {"render", scene, "--light-position", "0,0,0"}, "--light-direction");
 }
 
+/// Cases counted elsewhere are not those of this view: some pixels need others, and get them.
+TEST(Render, FallsBackWhereAnotherCensusLeftCasesOut) {
+    const TemporaryFolder folder;
+    const std::string shares = folder.write("shares.json", R"({"rsmss": {"23": 0.5, "31": 0.4, "1": 0.1}})");
+    const std::string full = folder.path() / "full.png", other = folder.path() / "other.png";
+    const Arguments view{"render",       "--technique", "rsmss",    "--size", "160x120",
+                         "--shadow-map", "128",         "--frames", "1"};
+    run_well(view + Arguments{"--image", full});
+    const Ran ran = run_well(view + Arguments{"--image", other, "--assembly", "scene", "--census", shares});
+    EXPECT_THAT(ran.out, HasSubstr("were of a case left out: found again with all cases"));
+    EXPECT_EQ(read_png(full).pixels, read_png(other).pixels);
+    expect_refused(
+        folder,
+        view + Arguments{"--assembly", "scene", "--census", folder.write("no.json", R"({"smsr": {"1": 1}})")},
+        "rsmss");
+    expect_refused(folder, view + Arguments{"--technique", "nsm", "--reading", "bar=ramp"}, "bar");
+    expect_refused(folder, {"render", "--technique", "raytraced", "--reading", "isolated=flipped"},
+                   "asks no shadow map");
+}
+
 } // namespace
 } // namespace gnomon::testing

@@ -224,8 +224,9 @@ TEST(rsmss_options, change_the_cases_that_they_are_about) {
     }
 }
 
-// By hand: a staircase with steps of 4 seen from both sides. The ramp's middle leads from (1,1.5) to (4,…).
-TEST(rsmss_by_hand, the_ramp_of_a_step_of_three_texels) {
+// By hand: one step. The ramp's middle leads from (4, 1.5), where the lit run of row 1 ends, to (20, 2.5),
+// for the run goes on beyond the border and is taken as 16 long.
+TEST(rsmss_by_hand, the_ramp_beside_one_step) {
     const Mask mask = parse_mask("........\n####....\n########\n", '\n', "m"); // row 1: shadow to x = 4
     for (const double x : {4.25, 5.5, 6.75}) // lit run of row 1 from x = 4, open towards +x: taken as 16 long
         for (const double y : {1.1, 1.5, 1.9}) {
