@@ -168,7 +168,7 @@ TEST(corpus_share, counts_edge_texels) {
     const CorpusShare share = corpus_share(c, pool);
     EXPECT_DOUBLE_EQ(share.overall, 0.6);
     EXPECT_DOUBLE_EQ(share.mean, 0.375);
-    EXPECT_DOUBLE_EQ(share.deviation, 0.375);
+    EXPECT_DOUBLE_EQ(share.deviation, 0.375 * std::sqrt(2.0)) /* of two masks, the sample's */;
     ASSERT_EQ(share.by_family.size(), mask_families().size());
     EXPECT_DOUBLE_EQ(share.by_family[0], 0.75);
     EXPECT_DOUBLE_EQ(share.by_family[1], 0);

@@ -133,7 +133,7 @@ TEST(atlas, refuses_a_folder_that_cannot_be) {
     expect_refused(folder, {"atlas"}, "OUT_DIR");
     expect_refused(folder, {"atlas", folder.write("file", "")}, "file");
     expect_refused(folder, {"atlas", folder.path() / "file" / "below"}, "below");
-    expect_refused(folder, {"atlas", ""}, "folder");
+    expect_refused(folder, {"atlas", ""}, "OUT_DIR: is empty");
     std::filesystem::create_directories(folder.path() / "taken" / "index.html");
     expect_refused(folder, {"atlas", folder.path() / "taken"}, "index.html");
     expect_refused(folder, {"atlas", "/proc/atlas"}, "/proc/atlas");
