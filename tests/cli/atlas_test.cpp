@@ -67,6 +67,18 @@ TEST(atlas, shows_every_way_through_a_case_that_has_several) {
     EXPECT_EQ(all_matches(page_of(folder), "(<div class=\"pair\"><svg class=\"mask\")").size(), shown);
 }
 
+// A picture of one colour says little: only cases that have one value may show it.
+TEST(atlas, shows_where_a_case_s_value_varies) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> constant =
+        all_matches(page_of(folder), "id=\"([^\"]*)\"[^>]*data-kind=\"constant\"");
+    EXPECT_THAT(constant, ::testing::UnorderedElementsAre("smsr-case_01", "smsr-case_02", "smsr-case_03",
+                                                          "rsmss-case_01", "rsmss-case_02", "rsmss-case_03",
+                                                          "rbsm-silhouette-i", "rbsm-silhouette-u",
+                                                          "rbsm-silhouette-o", "rbsm-filter-i",
+                                                          "rbsm-filter-short_o", "rbsm-filter-long_o"));
+}
+
 TEST(atlas, needs_nothing_but_itself) {
     const TemporaryFolder folder;
     const std::string page = page_of(folder);
