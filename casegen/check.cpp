@@ -174,11 +174,15 @@ std::string to_string(Verdict verdict) {
     return {};
 }
 
+void require_kernels(const std::filesystem::path& kernels) {
+    if (!std::filesystem::is_directory(kernels))
+        throw Error("{}: no such folder; --kernels names the one that holds smsr/case_09.glsl and the others",
+                    kernels.string());
+}
+
 std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOptions& options,
                                const std::function<void(std::size_t)>& done) {
-    if (!std::filesystem::is_directory(options.kernels))
-        throw Error("{}: no such folder; --kernels names the one that holds smsr/case_09.glsl and the others",
-                    options.kernels.string());
+    require_kernels(options.kernels);
     const glsl::Sources sources = kernel_sources(options.kernels);
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     const std::size_t jobs = std::min<std::size_t>(options.jobs > 0 ? options.jobs : cores, cases.size());

@@ -57,6 +57,9 @@ struct CheckReport {
     std::string message;          ///< why it failed, when there is no finding to show
 };
 
+/// Throws Error if this is no folder: --kernels is wrong.
+void require_kernels(const std::filesystem::path& kernels);
+
 /// Reports in the order of `cases`, the same whatever the number of jobs (but for `nanoseconds`). `done` is
 /// called from worker threads, one at a time, with the number of samples judged so far, of all kernels
 /// together. A kernel that fails does not stop the others. Throws Error for what concerns all of them: no

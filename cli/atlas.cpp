@@ -30,7 +30,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     what.check.samples = options.samples;
     what.check.seed = parse_seed(options.seed);
     what.check.jobs = options.jobs;
-    const fs::path path = require_atlas_folder(options.folder);
+    const fs::path path = require_atlas_folder(options.folder, common);
     atlas::Atlas atlas;
     {
         Progress progress("checking");

@@ -19,7 +19,9 @@ atlas::Options atlas_options(const Common& common) {
     return options;
 }
 
-fs::path require_atlas_folder(const fs::path& folder) {
+fs::path require_atlas_folder(const fs::path& folder, const Common& common) {
+    require_kernels(common.kernels);
+    const gpu::Device device(common.device);
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw Error("{}: cannot be made a folder: {}", folder.string(), error.message());

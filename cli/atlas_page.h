@@ -13,8 +13,9 @@ namespace gnomon::cli {
 /// Every kernel, with 65,536 samples and the repository's pins.
 atlas::Options atlas_options(const Common& common);
 
-/// Makes the folder and returns the page's path in it. Throws Error if either cannot be written.
-std::filesystem::path require_atlas_folder(const std::filesystem::path& folder);
+/// Makes the folder and returns the page's path in it. Throws Error if either cannot be written; before it
+/// makes anything, if there is no such device or folder of kernels.
+std::filesystem::path require_atlas_folder(const std::filesystem::path& folder, const Common& common);
 
 /// `replay`: see replay_command.
 void write_atlas(const std::filesystem::path& path, const atlas::Atlas& atlas, const Common& common,

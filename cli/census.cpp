@@ -106,7 +106,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     const Family& family = technique_family(options.technique);
     if (!options.json.empty()) require_writable(options.json);
     std::filesystem::path page;
-    if (!options.atlas.empty()) page = require_atlas_folder(options.atlas);
+    if (!options.atlas.empty()) page = require_atlas_folder(options.atlas, common);
     std::vector<std::string> inputs = options.inputs;
     if (inputs.empty()) inputs.emplace_back(); // the demo scene
     const auto masks = static_cast<std::size_t>(std::ranges::count_if(inputs, is_mask));

@@ -79,7 +79,7 @@ int run(const std::filesystem::path& folder, const Common& common, const std::st
     const std::filesystem::path report_path = folder / "report.json";
     require_writable(report_path);
 
-    const std::filesystem::path page = require_atlas_folder(folder / "atlas");
+    const std::filesystem::path page = require_atlas_folder(folder / "atlas", common);
 
     const Scene scene = demo_scene();
     const Camera camera = demo_camera(scene);

@@ -149,6 +149,11 @@ TEST(atlas, refuses_a_folder_that_cannot_be) {
     std::filesystem::create_directories(folder.path() / "taken" / "index.html");
     expect_refused(folder, {"atlas", folder.path() / "taken"}, "index.html");
     expect_refused(folder, {"atlas", "/proc/atlas"}, "/proc/atlas");
+    // Nothing is made for an atlas that cannot be.
+    expect_refused(folder, {"atlas", folder.path() / "never", "--device", "no such device"},
+                   "no such device");
+    expect_refused(folder, {"atlas", folder.path() / "never", "--kernels", folder.path() / "none"}, "none");
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "never"));
 }
 
 TEST(atlas, refuses_bad_options_and_leaves_no_page) {
