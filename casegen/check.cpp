@@ -3,6 +3,7 @@
 #include "casegen/compare.h"
 #include "casegen/csv.h"
 #include "casegen/standalone.h"
+#include "casegen/truths.h"
 #include "runtime/error.h"
 
 #include <fmt/format.h>
@@ -40,7 +41,7 @@ Records draw_records(const Case& c, const Sampler& sampler, std::size_t begin, s
 Prepared prepare(const Case& c, const CheckOptions& options, const glsl::Sources& sources,
                  const std::shared_ptr<const EdgePool>& pool, std::uint64_t seed) {
     Sampler sampler(c, seed, pool, options.pins.empty() ? options.pins : options.pins / (c.name + ".csv"));
-    const std::size_t samples = std::max(options.samples, sampler.fixed_count());
+    const std::size_t samples = std::max(options.samples.value_or(default_samples(c)), sampler.fixed_count());
     Records first = draw_records(c, sampler, 0, std::min(samples, samples_per_dispatch));
     glsl::Spirv words = compile_standalone(c, sources); // last: glslang may still be building its tables
     return {std::move(sampler), std::move(words), samples, std::move(first)};
@@ -60,9 +61,11 @@ Finding make_finding(const Case& c, const Sampler& sampler, std::size_t index,
 void judge_all(const Case& c, const Sampler& sampler, std::size_t begin, const Records& records,
                const Outputs& outputs, CheckReport& report) {
     const auto components = static_cast<std::size_t>(c.reference.result.components);
+    const std::vector<Truth> known = truths(c, records);
     for (std::size_t i = 0; i < records.size(); ++i) {
         const std::span<const std::uint32_t> got(outputs.words.data() + i * components, components);
-        const Agreement agreement = judge(c, arguments(c, records.input(i), records.mask(i)), got);
+        const Agreement agreement = judge(c, arguments(c, records.input(i), records.mask(i)), got,
+                                          known.empty() ? nullptr : &known[i]);
         if (!agreement.pass) ++report.failures;
         if (!report.worst || agreement.error > report.worst->error)
             report.worst = make_finding(c, sampler, begin + i, got, agreement.error);
@@ -127,10 +130,15 @@ CheckReport check_one(const Case& c, const CheckOptions& options, const glsl::So
                       const std::function<void(std::size_t)>& progress) {
     CheckReport report;
     report.kernel = &c;
-    report.seed = options.seed.value_or(default_seed(c.name));
+    report.seed = options.seed.value_or(default_seed(c));
     try {
         const Prepared prepared = prepare(c, options, sources, pool, report.seed);
         run(c, prepared, device.get(), report, progress);
+        if (!c.fails.empty() && report.verdict == Verdict::wrong) report.verdict = Verdict::expected;
+        if (!c.fails.empty() && report.verdict == Verdict::pass) {
+            report.verdict = Verdict::passes_wrongly;
+            report.message = "passes, but its table says that it fails: " + c.fails;
+        }
     } catch (const CompileError& error) {
         report.verdict = Verdict::compile_error;
         report.message = error.what();
@@ -154,10 +162,20 @@ std::string whole_source(const Case& c, const glsl::Sources& sources) {
 
 } // namespace
 
+std::size_t samples_asked_for(std::span<const Case* const> cases, const CheckOptions& options) {
+    std::size_t total = 0;
+    for (const Case* c : cases) total += options.samples.value_or(default_samples(*c));
+    return total;
+}
+
 std::string to_string(Verdict verdict) {
     switch (verdict) {
     case Verdict::pass:
         return "pass";
+    case Verdict::expected:
+        return "fails, as expected";
+    case Verdict::passes_wrongly:
+        return "passes, but must fail";
     case Verdict::wrong:
         return "wrong";
     case Verdict::unwritten:

@@ -16,24 +16,35 @@
 namespace gnomon {
 
 struct CheckOptions {
-    std::filesystem::path kernels;     ///< the folder that holds <name>.glsl
-    std::filesystem::path pins;        ///< the folder that holds <name>.csv; may be empty
-    std::size_t samples = 65536;       ///< per kernel; pins and hostile values are run even if they are more
+    std::filesystem::path kernels; ///< the folder that holds <name>.glsl
+    std::filesystem::path pins;    ///< the folder that holds <name>.csv; may be empty
+    /// Per kernel (default: default_samples); pins, hostile and stiff values are run even if they are more.
+    std::optional<std::size_t> samples;
     std::optional<std::uint64_t> seed; ///< for every kernel; else each has its own, its name's hash
     gpu::DeviceOptions device;
     unsigned jobs = 0; ///< worker threads, each with its own device; 0: one per core
 };
 
+/// How many samples a kernel runs on if nobody says: as many as its reference answers in a blink.
+inline std::size_t default_samples(const Case& c) { return c.reference.truth ? 8192 : 65536; }
+
+/// What `check` counts up to, but for kernels whose fixed samples are more.
+std::size_t samples_asked_for(std::span<const Case* const> cases, const CheckOptions& options);
+
 enum class Verdict {
     pass,
-    wrong,         ///< a result outside the tolerance, outside its range, or NaN
-    unwritten,     ///< a result that the kernel never wrote
-    stray_write,   ///< memory beside the results was overwritten
-    unstable,      ///< two runs over the same inputs differ
-    compile_error, ///< the message says where
-    timeout,       ///< did not end within the device's time limit
+    expected,       ///< wrong, as its table says that it must be
+    passes_wrongly, ///< passes although its table says that it must fail
+    wrong,          ///< a result outside the tolerance, outside its range, or NaN
+    unwritten,      ///< a result that the kernel never wrote
+    stray_write,    ///< memory beside the results was overwritten
+    unstable,       ///< two runs over the same inputs differ
+    compile_error,  ///< the message says where
+    timeout,        ///< did not end within the device's time limit
 };
 std::string to_string(Verdict verdict);
+/// Whether the verdict is the one that the kernel's table asks for.
+inline bool is_good(Verdict verdict) { return verdict == Verdict::pass || verdict == Verdict::expected; }
 
 /// One input and what became of it.
 struct Finding {

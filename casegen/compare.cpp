@@ -23,6 +23,7 @@ double error_of(const Tolerance& tolerance, double got, double want, Scalar scal
         return in_ulps;
     case Tolerance::Kind::absolute:
     case Tolerance::Kind::input_within:
+    case Tolerance::Kind::conditioned:
         break;
     }
     return difference;
@@ -66,16 +67,37 @@ double ulps_between(float a, float b) {
     return static_cast<double>(std::llabs(ordered(a) - ordered(b)));
 }
 
-Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::uint32_t> result) {
+double unit_of_error(const Truth& truth, std::size_t component) {
+    constexpr double smallest_normal = 0x1p-126, rounding = 0x1p-24;
+    // NaN, the mark of a truth that is none, must come through: no std::max.
+    const double least = truth.scale * rounding;
+    const double unit = truth.conditioning[component] < least ? least : truth.conditioning[component];
+    return unit < smallest_normal ? smallest_normal : unit;
+}
+
+Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::uint32_t> result,
+                const Truth* known) {
     const Type type = c.reference.result;
     const auto components = static_cast<std::size_t>(type.components);
+    const bool defined = in_domain(c, arguments);
     Numbers got{};
     for (std::size_t k = 0; k < components; ++k) {
         got[k] = widen(type.scalar, result[k]);
-        if (!(got[k] >= c.result.lower && got[k] <= c.result.upper)) return {false, infinity};
+        if ((defined || c.defended) && !(got[k] >= c.result.lower && got[k] <= c.result.upper))
+            return {false, infinity};
     }
-    if (!in_domain(c, arguments)) return {true, 0};
-    const Numbers want = c.reference.call(arguments);
+    if (!defined) return {true, 0};
+    if (c.tolerance.kind == Tolerance::Kind::conditioned) {
+        const Truth truth = known ? *known : c.reference.truth(arguments);
+        double error = 0;
+        for (std::size_t k = 0; k < components; ++k) {
+            const double of_component = std::abs(got[k] - truth.value[k]) / unit_of_error(truth, k);
+            if (std::isnan(of_component)) return {false, infinity};
+            error = std::max(error, of_component);
+        }
+        return {error <= c.tolerance.amount, error};
+    }
+    const Numbers want = known ? known->value : c.reference.call(arguments);
     double error = 0;
     for (std::size_t k = 0; k < components; ++k) {
         if (std::isnan(want[k])) return {false, infinity}; // a gap of the reference agrees with nothing

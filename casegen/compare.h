@@ -10,8 +10,8 @@ namespace gnomon {
 
 struct Agreement {
     bool pass = false;
-    /// In the tolerance's own unit (ulps, absolute, distance of the input); infinity where no such number
-    /// exists.
+    /// In the tolerance's own unit (ulps, absolute, distance of the input, times the conditioning); infinity
+    /// where no such number exists.
     double error = 0;
 };
 
@@ -19,8 +19,15 @@ struct Agreement {
 /// being infinite.
 double ulps_between(float a, float b);
 
+/// What `conditioned` measures the error of one component in: the truth's conditioning, but no less than one
+/// rounding of its scale, nor than the smallest normal float, below which a device may flush to zero.
+double unit_of_error(const Truth& truth, std::size_t component);
+
 /// The case's verdict on result words for one input. NaN never passes, nor does anything outside the result's
-/// range, whatever the input; agreement with the reference is asked for on the case's domain only.
-Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::uint32_t> result);
+/// range, whatever the input (unless the case is not defended and the input outside its domain); agreement
+/// with the reference is asked for on the case's domain only. `known`: the reference's truth there, if it is
+/// at hand.
+Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::uint32_t> result,
+                const Truth* known = nullptr);
 
 } // namespace gnomon

@@ -35,6 +35,8 @@ std::string to_string(const Tolerance& tolerance) {
         return fmt::format("{:.3g} absolute", tolerance.amount);
     case Tolerance::Kind::input_within:
         return fmt::format("input within {:.3g}", tolerance.amount);
+    case Tolerance::Kind::conditioned:
+        return fmt::format("{:.3g} x conditioning", tolerance.amount);
     case Tolerance::Kind::exact:
         break;
     }
@@ -110,6 +112,8 @@ Fact find_fact(const std::string& name) {
     const auto found = facts.find(name);
     return found == facts.end() ? nullptr : found->second;
 }
+
+double locus_distance(int step) { return step == 0 ? 0 : std::pow(10.0, -step); }
 
 std::string function_name(const Case& c) {
     std::string name = c.name;

@@ -10,6 +10,7 @@
 
 #include "casegen/condition.h"
 #include "casegen/mask.h"
+#include "casegen/random.h"
 #include "casegen/reference/revectorize.h"
 
 #include <glm/glm.hpp>
@@ -18,6 +19,7 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,7 +58,7 @@ struct Result {
 
 /// How far a result may be from the reference's. NaN never passes.
 struct Tolerance {
-    enum class Kind { exact, ulps, absolute, input_within };
+    enum class Kind { exact, ulps, absolute, input_within, conditioned };
     Kind kind = Kind::exact;
     double amount = 0;
 };
@@ -66,6 +68,9 @@ inline Tolerance ulps(double n) { return {Tolerance::Kind::ulps, n}; }
 inline Tolerance absolute(double e) { return {Tolerance::Kind::absolute, e}; }
 /// A step kernel may answer as if each of its float inputs were up to d away.
 inline Tolerance input_within(double d) { return {Tolerance::Kind::input_within, d}; }
+/// n times what rounding the inputs to float32 alone can do to the result (Truth::conditioning), and no finer
+/// than n roundings of Truth::scale. For references with a truth.
+inline Tolerance conditioned(double n) { return {Tolerance::Kind::conditioned, n}; }
 std::string to_string(const Tolerance& tolerance);
 
 /// What a reference is called with: every component of every parameter, widened to double, and the mask if it
@@ -76,6 +81,17 @@ struct Arguments {
 };
 using Numbers = std::array<double, 4>; ///< a result's components
 
+/// What a quantity is at an input, to the last bit of a double, and how well float32 inputs determine it.
+struct Truth {
+    Numbers value{};
+    /// Per component, Σ |x_i ∂value/∂x_i| · 2⁻²⁴ over all float inputs x_i: what half an ulp in each of them
+    /// can do.
+    Numbers conditioning{};
+    /// What an error is a fraction of: of an integral that of the integrand's absolute value, which no sign
+    /// change brings to zero; of other quantities the value's own magnitude.
+    double scale = 0;
+};
+
 /// A reference with its signature, made from a function or a lambda without captures.
 struct Reference {
     Type result;
@@ -83,11 +99,36 @@ struct Reference {
     std::vector<Scalar> words;    ///< of all their components, in order: what a record holds
     bool takes_mask = false;
     std::function<Numbers(const Arguments&)> call;
+    std::function<Truth(const Arguments&)>
+        truth; ///< in multiprecision, and slow; empty where `call` says all
 
     Reference() = default;
     template <typename Function>
     Reference(Function function); // NOLINT: a table entry reads `.reference = [](…) {…}`
 };
+
+/// The reference of a kernel with this C++ signature, "double(double, glm::dvec3)", by its truth.
+template <typename Signature>
+Reference reference_by(Truth (*truth)(const Arguments&));
+
+/// A set of inputs on which formulas lose digits or divide by zero.
+struct Locus {
+    std::string name;  ///< "k = 1/3"
+    std::string group; ///< what a report sums up over: "k", "poles"
+    /// Moves an ordinary input (one number per component) to this distance from the locus, 0: onto it.
+    std::function<void(Random&, double distance, std::span<double> numbers)> place;
+};
+
+/// Inputs of parameters that depend on each other.
+struct Generator {
+    std::string name; ///< also the seed: kernels with one generator run on the same inputs
+    std::function<void(Random&, std::span<double> numbers)> draw; ///< an ordinary one
+    std::vector<Locus> loci;
+};
+
+/// The distances that every locus is approached by: on it, 1e-1, 1e-2 … 1e-12.
+constexpr int locus_distances = 13;
+double locus_distance(int step);
 
 /// What a texel of a mask and a point in it say about a kernel's parameters.
 struct Facts {
@@ -124,6 +165,17 @@ struct Case {
     /// What it computes, as people write it: "1 + p.x - along_y". For numbered cases; the kernel is the
     /// truth.
     std::string formula;
+    /// What it computes, if other kernels compute the same in another way (variants): "integral/a0".
+    std::string quantity;
+    /// Where its inputs come from, if the parameters' domains alone do not say.
+    std::shared_ptr<const Generator> generator;
+    /// Whether it answers every input within its result's range. A formula as printed may be left bare:
+    /// outside its domain it may then give anything.
+    bool defended = true;
+    /// Why this kernel must fail its check; empty for those that must pass.
+    std::string fails;
+    /// How it answers what no caller should ask: NaN, intervals that end before they begin.
+    std::string rule;
 };
 
 inline bool applies(const Case& c, const reference::Edge& edge) {
@@ -259,7 +311,24 @@ void make(Reference& reference, R (*function)(const Mask&, A...)) {
     };
 }
 
+template <typename R, typename... A>
+Reference by_truth(std::type_identity<R(A...)>, Truth (*truth)(const Arguments&)) {
+    Reference reference;
+    reference.result = Glsl<R>::type;
+    reference.parameters = {Glsl<Plain<A>>::type...};
+    for (const Type& type : reference.parameters)
+        reference.words.insert(reference.words.end(), static_cast<std::size_t>(type.components), type.scalar);
+    reference.truth = truth;
+    reference.call = [truth](const Arguments& arguments) { return truth(arguments).value; };
+    return reference;
+}
+
 } // namespace detail
+
+template <typename Signature>
+Reference reference_by(Truth (*truth)(const Arguments&)) {
+    return detail::by_truth(std::type_identity<Signature>{}, truth);
+}
 
 template <typename Function>
 Reference::Reference(Function function) {

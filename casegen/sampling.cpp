@@ -142,7 +142,10 @@ void Sampler::make_hostile() {
         for (const std::uint32_t value : values[component])
             for (int repeat = 0; repeat < 8; ++repeat) {
                 std::vector<std::uint32_t> words(values.size());
-                draw_abstract(random, words);
+                if (case_.generator)
+                    draw_generated(random, {}, words);
+                else
+                    draw_abstract(random, words);
                 words[component] = value;
                 hostile_.push_back(std::move(words));
             }
@@ -162,19 +165,45 @@ Sampler::Sample Sampler::draw(std::size_t index) const {
 }
 
 const Mask* Sampler::draw(std::size_t index, std::span<std::uint32_t> words) const {
-    Random random(seed_, index);
+    // Samples of one generator are the same whatever a kernel's own pins and hostile values are.
+    Random random(seed_, case_.generator ? index - first_stiff() : index);
     std::uint32_t mask = 0;
-    if (index < fixed_count()) {
+    if (const std::optional<Place> near = place(index)) {
+        draw_generated(random, near, words);
+    } else if (index < fixed_count()) {
         const bool pinned = index < pinned_.size();
         std::ranges::copy(pinned ? pinned_[index] : hostile_[index - pinned_.size()], words.begin());
         if (pinned) return case_.reference.takes_mask ? &pinned_masks_[index] : nullptr;
         mask = random.below(static_cast<std::uint32_t>(pool_->masks.size()));
+    } else if (case_.generator && index % 4 != 3) {
+        // Of four: two ordinary, one near a locus, and, below, one with components that know nothing of each
+        // other.
+        std::optional<Place> near;
+        if (index % 4 == 2)
+            near = Place{random.below(static_cast<std::uint32_t>(case_.generator->loci.size())),
+                         random.between(0, locus_distances - 1)};
+        draw_generated(random, near, words);
     } else if (index % 2 == 1 && !chosen_.empty()) {
         mask = draw_from_mask(random, words);
     } else {
         mask = draw_abstract(random, words);
     }
     return case_.reference.takes_mask ? &pool_->masks[mask] : nullptr;
+}
+
+std::optional<Sampler::Place> Sampler::place(std::size_t index) const {
+    if (index < first_stiff() || index >= fixed_count()) return {};
+    const std::size_t stiff = (index - first_stiff()) / stiff_repeats;
+    return Place{stiff / locus_distances, static_cast<int>(stiff % locus_distances)};
+}
+
+void Sampler::draw_generated(Random& random, const std::optional<Place>& place,
+                             std::span<std::uint32_t> words) const {
+    std::array<double, 16> numbers{};
+    const std::span used = std::span(numbers).first(words.size());
+    case_.generator->draw(random, used);
+    if (place) case_.generator->loci[place->locus].place(random, locus_distance(place->step), used);
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = narrow(case_.reference.words[i], used[i]);
 }
 
 void Sampler::draw_slot(Random& random, const Slot& slot, std::span<std::uint32_t> words) const {

@@ -1,5 +1,6 @@
-// The inputs that a kernel is run on: pins, hostile values, then random ones, abstract and from masks in
-// turn. Sample i of a seed is the same bits whatever else is drawn, on any machine and number of threads.
+// The inputs that a kernel is run on: pins, hostile values, stiff ones (on and near every locus of its
+// generator), then random ones. Sample i of a seed is the same bits whatever else is drawn, on any machine
+// and number of threads.
 #pragma once
 
 #include "casegen/kernel_case.h"
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,8 +51,22 @@ public:
     /// The same without an allocation: writes the words, returns the mask (null if the kernel takes none).
     const Mask* draw(std::size_t index, std::span<std::uint32_t> words) const;
 
-    /// Pins and hostile values: every run begins with all of them.
-    std::size_t fixed_count() const { return pinned_.size() + hostile_.size(); }
+    /// Pins, hostile and stiff values: every run begins with all of them.
+    std::size_t fixed_count() const { return first_stiff() + stiff_count(); }
+    /// The first of the samples that lie on or near a locus, and how many there are: for every locus, every
+    /// distance, `stiff_repeats` each.
+    std::size_t first_stiff() const { return pinned_.size() + hostile_.size(); }
+    std::size_t stiff_count() const {
+        return case_.generator ? case_.generator->loci.size() * locus_distances * stiff_repeats : 0;
+    }
+    static constexpr std::size_t stiff_repeats = 6;
+
+    /// Where sample `index` lies: a locus's number and the step of its distance. Nothing if it is not stiff.
+    struct Place {
+        std::size_t locus = 0;
+        int step = 0;
+    };
+    std::optional<Place> place(std::size_t index) const;
 
     std::uint64_t seed() const { return seed_; }
 
@@ -65,6 +81,8 @@ private:
     void draw_slot(Random& random, const Slot& slot, std::span<std::uint32_t> words) const;
     std::uint32_t draw_abstract(Random& random, std::span<std::uint32_t> words) const;
     std::uint32_t draw_from_mask(Random& random, std::span<std::uint32_t> words) const;
+    void draw_generated(Random& random, const std::optional<Place>& place,
+                        std::span<std::uint32_t> words) const;
     void make_hostile();
 
     const Case& case_;
@@ -76,7 +94,8 @@ private:
     std::vector<Mask> pinned_masks_; ///< one per pin if the case takes a mask
 };
 
-/// The seed of a kernel that was given none: its name's hash.
+/// The seed of a kernel that was given none: its generator's or its own name's hash.
 inline std::uint64_t default_seed(const std::string& name) { return hash(name); }
+inline std::uint64_t default_seed(const Case& c) { return hash(c.generator ? c.generator->name : c.name); }
 
 } // namespace gnomon

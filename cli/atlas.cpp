@@ -20,7 +20,7 @@ struct Options {
     fs::path folder;
     std::vector<fs::path> censuses;
     std::string seed;
-    std::size_t samples = 65536;
+    std::optional<std::size_t> samples;
     unsigned jobs = 0;
 };
 
@@ -34,7 +34,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     atlas::Atlas atlas;
     {
         Progress progress("checking");
-        const std::size_t total = find_cases("").size() * options.samples;
+        const std::size_t total = samples_asked_for(find_cases(""), what.check);
         atlas = atlas::make_atlas(catalogue(), what, [&](std::size_t done) { progress.show(done, total); });
     }
     require_no_validation_messages();

@@ -16,7 +16,7 @@ namespace {
 
 struct Options {
     std::string pattern, format = "text", seed;
-    std::size_t samples = 65536;
+    std::optional<std::size_t> samples;
     unsigned jobs = 0;
 };
 
@@ -32,8 +32,8 @@ int run(const Options& options, const Common& common, const std::string& replay)
     std::vector<CheckReport> reports;
     {
         Progress progress("checking");
-        reports = check(cases, check_options,
-                        [&](std::size_t done) { progress.show(done, cases.size() * options.samples); });
+        const std::size_t total = samples_asked_for(cases, check_options);
+        reports = check(cases, check_options, [&](std::size_t done) { progress.show(done, total); });
     }
     require_no_validation_messages();
     if (options.format == "json")
@@ -43,7 +43,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     else
         fmt::print("{}", check_text(reports, replay));
     for (const CheckReport& report : reports)
-        if (report.verdict != Verdict::pass) return 1;
+        if (!is_good(report.verdict)) return 1;
     return 0;
 }
 
@@ -62,9 +62,10 @@ void add_check(CLI::App& app, Common& common, int& exit_code) {
     verb->add_option("PATTERN", options->pattern,
                      "part of a name, or a pattern with * and ? (default: all kernels)");
     verb->add_option("--samples", options->samples,
-                     "inputs per kernel; pins and hostile values are always all run")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
-        ->capture_default_str();
+                     "inputs per kernel (default: 65536, or 8192 where the reference is multiprecision); "
+                     "pins, hostile "
+                     "and stiff values are always all run")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40));
     verb->add_option("--seed", options->seed, "of all kernels (default: each its own, the hash of its name)");
     verb->add_option("--format", options->format, "text, json or junit")
         ->check(CLI::IsMember({"text", "json", "junit"}))

@@ -38,7 +38,7 @@ int check_all(const Common& common, atlas::Census census, const std::filesystem:
     atlas::Atlas atlas;
     {
         Progress progress("checking kernels");
-        const std::size_t total = find_cases("").size() * options.check.samples;
+        const std::size_t total = samples_asked_for(find_cases(""), options.check);
         atlas =
             atlas::make_atlas(catalogue(), options, [&](std::size_t done) { progress.show(done, total); });
     }

@@ -18,6 +18,10 @@ std::string finding_text(const CheckReport& report, const std::string& options) 
     return text;
 }
 
+const char* verdict_word(Verdict verdict) {
+    return verdict == Verdict::pass ? "pass" : verdict == Verdict::expected ? "expected" : "FAIL";
+}
+
 } // namespace
 
 std::string check_text(std::span<const CheckReport> reports, const std::string& options) {
@@ -30,17 +34,17 @@ std::string check_text(std::span<const CheckReport> reports, const std::string& 
         const bool ran = report.worst.has_value();
         text +=
             fmt::format("{:<{}}  {:<13}  {:>9}  {:>11}  {:<22}  {:>7}  {:#018x}\n", report.kernel->name,
-                        width, report.verdict == Verdict::pass ? "pass" : "FAIL", report.samples,
+                        width, verdict_word(report.verdict), report.samples,
                         ran ? format_error(report.worst->error) : "-", to_string(report.kernel->tolerance),
                         ran ? fmt::format("{:.1f}", report.nanoseconds) : "-", report.seed);
-        if (report.verdict == Verdict::pass && report.worst && report.worst->error > 0)
+        if (is_good(report.verdict) && report.worst && report.worst->error > 0)
             text += fmt::format("  worst at {}\n",
                                 format_call(*report.kernel, report.worst->input,
                                             report.worst->mask ? &*report.worst->mask : nullptr));
-        if (report.verdict != Verdict::pass) ++failed;
+        if (!is_good(report.verdict)) ++failed;
     }
     for (const CheckReport& report : reports)
-        if (report.verdict != Verdict::pass)
+        if (!is_good(report.verdict))
             text += fmt::format("\nFAIL {} ({})\n{}", report.kernel->name, to_string(report.verdict),
                                 finding_text(report, options));
     text += fmt::format("\n{} passed, {} failed\n", reports.size() - failed, failed);
@@ -83,7 +87,7 @@ std::string check_junit(std::span<const CheckReport> reports, const std::string&
         const double seconds = report.nanoseconds * static_cast<double>(report.samples) * 1e-9;
         cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"",
                              atlas::escape_html(family), atlas::escape_html(name), seconds);
-        if (report.verdict == Verdict::pass) {
+        if (is_good(report.verdict)) {
             cases += "/>\n";
             continue;
         }

@@ -129,7 +129,7 @@ void add_ways(FamilyEntries& family) {
 } // namespace
 
 bool Atlas::passes() const {
-    const auto pass = [](const CheckReport& report) { return report.verdict == Verdict::pass; };
+    const auto pass = [](const CheckReport& report) { return is_good(report.verdict); };
     return std::ranges::all_of(families, [&](const FamilyEntries& family) {
         return std::ranges::all_of(family.kernels, pass) &&
                std::ranges::all_of(family.cases, pass, &Entry::report);

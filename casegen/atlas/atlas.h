@@ -49,7 +49,7 @@ struct FamilyEntries {
 
 struct Atlas {
     std::string device;
-    std::size_t samples = 0; ///< asked for, per kernel
+    std::optional<std::size_t> samples; ///< per kernel, if that was asked for
     std::uint64_t masks_seed = 0;
     bool own_seeds = true; ///< each kernel's seed is its name's hash
     std::size_t masks = 0, edge_texels = 0;

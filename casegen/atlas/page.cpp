@@ -38,7 +38,7 @@ std::string introduction(const Atlas& atlas) {
     for (const FamilyEntries& family : atlas.families)
         for (const Entry& entry : family.cases) {
             ++cases;
-            if (entry.report.verdict != Verdict::pass) ++failed;
+            if (!is_good(entry.report.verdict)) ++failed;
         }
     std::string html = fmt::format(
         "<h1>Atlas of cases</h1>\n<p class=\"lead\">Every case of every decision list in gnomon’s catalogue: "
@@ -54,7 +54,8 @@ std::string introduction(const Atlas& atlas) {
     };
     row("gnomon", GNOMON_VERSION);
     row("Device", atlas.device);
-    row("Samples per kernel", fmt::format("{}", atlas.samples));
+    row("Samples per kernel", atlas.samples ? fmt::format("{}", *atlas.samples)
+                                            : "65536; 8192 where the reference is multiprecision");
     row("Seed", atlas.own_seeds ? "of each kernel, its name’s hash" : fmt::format("{:#x}", atlas.masks_seed));
     row("Masks",
         fmt::format("{}, with {} edge texels; seed {:#x}", atlas.masks, atlas.edge_texels, atlas.masks_seed));
@@ -69,8 +70,7 @@ std::string contents(const Atlas& atlas) {
         for (const Entry& entry : family.cases)
             html += fmt::format("<li><a href=\"#{}\" title=\"{}\"{}>{}</a></li>",
                                 element_id(entry.kernel->name), escape_html(entry.kernel->name),
-                                entry.report.verdict == Verdict::pass ? "" : " class=\"fail\"",
-                                entry.kernel->number);
+                                is_good(entry.report.verdict) ? "" : " class=\"fail\"", entry.kernel->number);
         if (family.cases.empty())
             html += fmt::format("<li class=\"soft\">{} kernels without numbers</li>", family.kernels.size());
         html += "</ol></section>\n";

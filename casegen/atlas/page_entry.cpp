@@ -209,13 +209,13 @@ std::string element_id(const std::string& name) {
 }
 
 std::string verdict_html(const CheckReport& report) {
-    const bool pass = report.verdict == Verdict::pass;
+    const bool pass = is_good(report.verdict);
     return fmt::format("<span class=\"verdict {}\">{}</span>", pass ? "pass" : "fail",
                        escape_html(to_string(report.verdict)));
 }
 
 std::string failure_html(const CheckReport& report, const std::string& replay) {
-    if (report.verdict == Verdict::pass) return {};
+    if (is_good(report.verdict)) return {};
     return fmt::format("<p class=\"trouble call\">{}</p>\n",
                        escape_html(fmt::format("{}", fmt::join(explain_failure(report, replay), "\n"))));
 }
@@ -257,7 +257,7 @@ std::string entry_html(const Entry& entry, const PageContext& context) {
         fmt::format("<article class=\"case\" id=\"{}\" data-family=\"{}\" data-light=\"{}\" data-kind=\"{}\" "
                     "data-verdict=\"{}\" data-text=\"{}\">\n",
                     element_id(c.name), escape_html(family), light_of(c), kind_of(entry),
-                    entry.report.verdict == Verdict::pass ? "pass" : "fail", escape_html(text));
+                    is_good(entry.report.verdict) ? "pass" : "fail", escape_html(text));
     html += fmt::format(
         "<header><h3><a href=\"#{}\">{}</a></h3><span class=\"source\">{}</span>{}</header>\n",
         element_id(c.name), escape_html(c.name), escape_html(c.source), verdict_html(entry.report));

@@ -140,7 +140,7 @@ TEST(check, more_samples_than_one_dispatch_takes) {
     options.samples = (std::size_t{1} << 18) + 1000;
     const CheckReport report = check(std::array{&find_case("smsr/case_12")}, options)[0];
     EXPECT_EQ(report.verdict, Verdict::pass) << explain(report);
-    EXPECT_EQ(report.samples, options.samples);
+    EXPECT_EQ(report.samples, *options.samples);
 }
 
 } // namespace
