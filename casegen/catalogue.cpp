@@ -48,6 +48,7 @@ const std::vector<Family>& catalogue() {
     static const std::vector<Family> families = [] {
         std::vector<Family> all{revectorize_family(),     nsm_family(),        smsr_family(), rsmss_family(),
                                 rbsm_silhouette_family(), rbsm_filter_family()};
+        for (Family& family : integral_families()) all.push_back(std::move(family));
         for ([[maybe_unused]] const Family& family : all)
             for ([[maybe_unused]] const Case& c : family.cases)
                 assert(c.parameters.size() == c.reference.parameters.size() &&

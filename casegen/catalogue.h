@@ -23,6 +23,7 @@ Family smsr_family();            // casegen/smsr.cpp
 Family rsmss_family();           // casegen/rsmss.cpp
 Family rbsm_silhouette_family(); // casegen/rbsm.cpp
 Family rbsm_filter_family();
+std::vector<Family> integral_families(); // casegen/integral/
 
 const std::vector<Family>& catalogue();
 

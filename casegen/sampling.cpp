@@ -166,7 +166,8 @@ Sampler::Sample Sampler::draw(std::size_t index) const {
 
 const Mask* Sampler::draw(std::size_t index, std::span<std::uint32_t> words) const {
     // Samples of one generator are the same whatever a kernel's own pins and hostile values are.
-    Random random(seed_, case_.generator ? index - first_stiff() : index);
+    const std::size_t stream = case_.generator ? index - first_stiff() : index;
+    Random random(seed_, stream);
     std::uint32_t mask = 0;
     if (const std::optional<Place> near = place(index)) {
         draw_generated(random, near, words);
@@ -175,11 +176,11 @@ const Mask* Sampler::draw(std::size_t index, std::span<std::uint32_t> words) con
         std::ranges::copy(pinned ? pinned_[index] : hostile_[index - pinned_.size()], words.begin());
         if (pinned) return case_.reference.takes_mask ? &pinned_masks_[index] : nullptr;
         mask = random.below(static_cast<std::uint32_t>(pool_->masks.size()));
-    } else if (case_.generator && index % 4 != 3) {
+    } else if (case_.generator && stream % 4 != 3) {
         // Of four: two ordinary, one near a locus, and, below, one with components that know nothing of each
         // other.
         std::optional<Place> near;
-        if (index % 4 == 2)
+        if (stream % 4 == 2)
             near = Place{random.below(static_cast<std::uint32_t>(case_.generator->loci.size())),
                          random.between(0, locus_distances - 1)};
         draw_generated(random, near, words);

@@ -79,9 +79,11 @@ constexpr std::size_t least_rehearsed = 4096;
 
 } // namespace
 
-glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Readings& readings) {
+glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Readings& readings,
+                             Trigonometry trigonometry) {
     glsl::Sources sources{kernels, generated_sources()};
     sources.generated.merge(reading_sources(readings));
+    sources.generated["integral/trigonometry"] = trigonometry_source(trigonometry);
     return sources;
 }
 

@@ -5,6 +5,7 @@
 #include "casegen/kernel_case.h"
 #include "casegen/readings.h"
 #include "casegen/sampling.h"
+#include "casegen/trigonometry.h"
 #include "runtime/glsl/compiler.h"
 #include "runtime/gpu/device.h"
 
@@ -17,7 +18,8 @@
 namespace gnomon {
 
 /// Where kernels come from: the folder, and what the catalogue generates.
-glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Readings& readings = {});
+glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Readings& readings = {},
+                             Trigonometry trigonometry = Trigonometry::portable);
 
 /// The compute shader around `c`: includes its file, reads a record, writes the result's words.
 std::string standalone_source(const Case& c);

@@ -1,0 +1,12 @@
+// The integral of (n·ω) sinθ over φ0 … φ1 and θ0 … kφ + b.   [Appendix B, Equation 8]
+// A reversed interval negates the result; inputs that are not finite: 0, or the largest float if they overflow.
+#include "integral/guard.glslh"
+#include "integral/sinc/a0.glsl"
+#include "integral/sinc/a1.glsl"
+
+float integral_sinc_a(float phi0, float phi1, float theta0, float k, float b, vec3 n) {
+    if (!(is_finite(vec3(phi0, phi1, theta0)) && is_finite(vec2(k, b)) && is_finite(n))) return 0.0;
+    // x first: (n_x cosφ + n_y sinφ) = u sin(φ + τ).
+    float u = length(n.xy), tau = atan(n.x, n.y);
+    return bounded(u * integral_sinc_a0(phi0, phi1, theta0, k, b, tau) + n.z * integral_sinc_a1(phi0, phi1, theta0, k, b));
+}
