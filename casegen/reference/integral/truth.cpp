@@ -1,0 +1,335 @@
+#include "casegen/reference/integral/truth.h"
+
+#include "casegen/reference/integral/cell.h"
+#include "casegen/reference/integral/cell_interval.h"
+#include "casegen/reference/integral/lobe_fit.h"
+#include "casegen/reference/integral/wave.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace gnomon::reference::integral {
+namespace {
+
+constexpr double half_ulp = 0x1p-24; // of a float, relative
+/// For conditionings and scales, in double.
+constexpr Effort rough{.digits = 10, .extra = 2};
+
+Truth no_truth() {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {{nan, nan, nan, nan}, {nan, nan, nan, nan}, nan};
+}
+
+template <std::size_t N>
+bool all_finite(const Arguments& x) {
+    return std::all_of(x.numbers.begin(), x.numbers.begin() + N, [](double n) { return std::isfinite(n); });
+}
+
+template <std::size_t N>
+std::array<Real, N> exact(const Arguments& x) {
+    std::array<Real, N> result;
+    for (std::size_t i = 0; i < N; ++i) result[i] = x.numbers[i];
+    return result;
+}
+
+template <std::size_t N>
+std::array<Dual<N>, N> duals(const Arguments& x) {
+    std::array<Dual<N>, N> result;
+    for (std::size_t i = 0; i < N; ++i) result[i] = Dual<N>::input(x.numbers[i], i);
+    return result;
+}
+
+/// Σ |x_i ∂_i| · 2⁻²⁴.
+template <typename Derivatives>
+double conditioning(const Arguments& x, const Derivatives& by) {
+    double sum = 0;
+    for (std::size_t i = 0; i < by.size(); ++i) sum += std::abs(x.numbers[i] * value_of(by[i]));
+    return sum * half_ulp;
+}
+
+template <typename R, std::size_t N>
+Truth truth_of(const Arguments& x, const R& value, const Dual<N>& derivatives, double scale) {
+    Truth truth;
+    truth.value[0] = value_of(value);
+    truth.conditioning[0] = conditioning(x, derivatives.by);
+    truth.scale = scale;
+    return truth;
+}
+
+template <Wave wave>
+Truth wave_truth(const Arguments& x) {
+    constexpr std::size_t count = 2 + phases_of(wave);
+    if (!all_finite<count>(x)) return no_truth();
+    const auto numbers = exact<count>(x);
+    if (!(wave_omega<wave>(numbers) < most_frequency)) return no_truth();
+    const Integral<Dual<count>> near = wave_integral<wave>(duals<count>(x), rough);
+    return truth_of(x, wave_integral<wave>(numbers).value, near.value, near.magnitude);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+CellKey boundary_key(const Arguments& x) {
+    return {true, {x.numbers[0], x.numbers[1], x.numbers[2], x.numbers[3], x.numbers[4]}};
+}
+
+/// A dual's value, from better digits than its own.
+template <std::size_t N>
+void refine(Dual<N>& x, const Real& value) {
+    x.value = value_of(value);
+}
+
+/// The truth of an integral over a boundary's cell: `combine(moments, x)` of the numbers behind the cell's
+/// five in multiprecision, `integrand(direction, x)` in duals.
+template <std::size_t N, typename Combine, typename Integrand>
+Truth cell_truth(const Arguments& arguments, const Combine& combine, const Integrand& integrand) {
+    if (!all_finite<N>(arguments)) return no_truth();
+    const CellKey key = boundary_key(arguments);
+    const auto x = exact<N>(arguments);
+    const Moments<Real> of_cell = kept_moments(key);
+    if (isnan(of_cell[0])) return no_truth();
+    const Real value = combine(of_cell, x.data() + 5);
+
+    const auto d = duals<N>(arguments);
+    Cell<Dual<N>> cell = boundary_cell(d[0], d[1], d[2], d[3], d[4]);
+    const Cell<Real> exact_one = exact_cell(key);
+    refine(cell.middle, exact_one.middle);
+    refine(cell.half, exact_one.half);
+    refine(cell.rise0, exact_one.rise0);
+    refine(cell.rise1, exact_one.rise1);
+    const Integral<Dual<N>> near = integrate_over(
+        cell, [&](const Direction<Dual<N>>& to) { return integrand(to, d.data() + 5); }, rough);
+    return truth_of(arguments, value, near.value, near.magnitude);
+}
+
+/// sin(φ + phase) as a combination of cosφ and sinφ.
+template <typename T>
+std::array<T, 3> axis_of_phase(const T& phase) {
+    T s, c;
+    sin_cos(phase, s, c);
+    return {s, c, T(0)};
+}
+
+template <typename T>
+T sine_of(const Direction<T>& to, const T& phase) {
+    const std::array<T, 3> axis = axis_of_phase(phase);
+    return axis[0] * to.cos_phi + axis[1] * to.sin_phi;
+}
+
+template <typename T>
+T dot(const Direction<T>& to, const T* n) {
+    return (n[0] * to.cos_phi + n[1] * to.sin_phi) * to.sin_theta + n[2] * to.cos_theta;
+}
+
+Truth phase_and_cosine(const Arguments& arguments) {
+    return cell_truth<6>(
+        arguments,
+        [](const Moments<Real>& m, const Real* x) {
+            const auto axis = axis_of_phase(x[0]);
+            return Real(axis[0] * m[sin2_cos_cos_phi] + axis[1] * m[sin2_cos_sin_phi]);
+        },
+        [](const auto& to, const auto* x) {
+            return sine_of(to, x[0]) * to.cos_theta * to.sin_theta * to.sin_theta;
+        });
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+enum class Fit { r0, r1, alpha, beta, l2, l1 };
+
+/// What the fit is made of, for any type of number.
+template <typename T>
+struct FitParts {
+    T r0, r1, beta, x_m;
+};
+template <typename T, typename Apply>
+FitParts<T> fit_parts(const Lobe<T>& lobe, const FitShape<Wide>& shape, const Apply& apply) {
+    const T peak = lobe.peak();
+    return {peak * apply(shape.mean), peak * apply(shape.tilt), peak * lobe.lambda * apply(shape.tilt_by_m),
+            T(1) - lobe.versine_of_middle()};
+}
+
+template <Fit what, typename T, typename Apply>
+T fit_result(const Lobe<T>& lobe, const FitShape<Wide>& shape, const FitError<Wide>& error,
+             const Apply& apply) {
+    using std::sqrt;
+    const FitParts<T> parts = fit_parts(lobe, shape, apply);
+    switch (what) {
+    case Fit::r0:
+        return parts.r0;
+    case Fit::r1:
+        return parts.r1;
+    case Fit::alpha:
+        return parts.r0 - parts.beta * parts.x_m;
+    case Fit::beta:
+        return parts.beta;
+    case Fit::l2:
+        return lobe.peak() * sqrt(lobe.q()) * apply(error.l2);
+    case Fit::l1:
+        break;
+    }
+    return lobe.peak() * lobe.q() * apply(error.l1);
+}
+
+/// Of versines, or of the interval's ends.
+template <Fit what>
+Truth fit_truth(const Arguments& arguments, bool of_ends) {
+    if (!all_finite<4>(arguments)) return no_truth();
+    const auto& x = arguments.numbers;
+    const Wide va = of_ends ? 1 - Wide(x[0]) : Wide(x[0]), vb = of_ends ? 1 - Wide(x[1]) : Wide(x[1]);
+    const Lobe<Wide> lobe(va, vb, Wide(x[2]), Wide(x[3]));
+    const Wide m = lobe.m();
+    if (!(m >= 0)) return no_truth(); // a lobe that grows away from its axis
+    const FitShape<Wide> shape = fit_shape(m);
+    const FitError<Wide> error = what == Fit::l2 || what == Fit::l1 ? fit_error(m, shape) : FitError<Wide>{};
+    const Wide value = fit_result<what>(lobe, shape, error, [](const Slope<Wide>& s) { return s.value; });
+
+    using D = Dual<4>;
+    auto in = duals<4>(arguments);
+    if (of_ends) {
+        in[0] = D(1) - in[0];
+        in[1] = D(1) - in[1];
+    }
+    const Lobe<D> near(in[0], in[1], in[2], in[3]);
+    const auto chained = [&](const Slope<Wide>& s) {
+        return chain(near.m(), value_of(s.value), value_of(s.slope));
+    };
+    const D derivatives = fit_result<what>(near, shape, error, chained);
+    double scale = std::abs(value_of(value));
+    if (what == Fit::alpha) {
+        const FitParts<D> parts = fit_parts(near, shape, chained);
+        scale = std::abs(parts.r0.value) + std::abs(parts.beta.value * parts.x_m.value);
+    }
+    return truth_of(arguments, value, derivatives, scale);
+}
+
+} // namespace
+
+Truth c0(const Arguments& x) { return wave_truth<Wave::c0>(x); }
+Truth c1(const Arguments& x) { return wave_truth<Wave::c1>(x); }
+Truth c2(const Arguments& x) { return wave_truth<Wave::c2>(x); }
+Truth c3(const Arguments& x) { return wave_truth<Wave::c3>(x); }
+Truth c4(const Arguments& x) { return wave_truth<Wave::c4>(x); }
+Truth c5(const Arguments& x) { return wave_truth<Wave::c5>(x); }
+
+Truth a0(const Arguments& arguments) {
+    return cell_truth<6>(
+        arguments,
+        [](const Moments<Real>& m, const Real* x) { return first_moment(m, axis_of_phase(x[0]).data()); },
+        [](const auto& to, const auto* x) { return sine_of(to, x[0]) * to.sin_theta * to.sin_theta; });
+}
+Truth a1(const Arguments& arguments) {
+    return cell_truth<5>(
+        arguments, [](const Moments<Real>& m, const Real*) { return m[sin_cos_theta]; },
+        [](const auto& to, const auto*) { return to.cos_theta * to.sin_theta; });
+}
+Truth a(const Arguments& arguments) {
+    return cell_truth<8>(
+        arguments, [](const Moments<Real>& m, const Real* n) { return first_moment(m, n); },
+        [](const auto& to, const auto* n) { return dot(to, n) * to.sin_theta; });
+}
+Truth b0(const Arguments& arguments) {
+    return cell_truth<7>(
+        arguments,
+        [](const Moments<Real>& m, const Real* x) {
+            return second_moment(m, axis_of_phase(x[0]).data(), axis_of_phase(x[1]).data());
+        },
+        [](const auto& to, const auto* x) {
+            return sine_of(to, x[0]) * sine_of(to, x[1]) * to.sin_theta * to.sin_theta * to.sin_theta;
+        });
+}
+Truth b1(const Arguments& arguments) { return phase_and_cosine(arguments); }
+Truth b2(const Arguments& arguments) { return phase_and_cosine(arguments); }
+Truth b3(const Arguments& arguments) {
+    return cell_truth<5>(
+        arguments, [](const Moments<Real>& m, const Real*) { return m[cos2_sin]; },
+        [](const auto& to, const auto*) { return to.cos_theta * to.cos_theta * to.sin_theta; });
+}
+Truth b(const Arguments& arguments) {
+    return cell_truth<11>(
+        arguments, [](const Moments<Real>& m, const Real* x) { return second_moment(m, x, x + 3); },
+        [](const auto& to, const auto* x) { return dot(to, x) * dot(to, x + 3) * to.sin_theta; });
+}
+
+Truth radiance(const Arguments& arguments) {
+    constexpr std::size_t count = 15;
+    if (!all_finite<count>(arguments)) return no_truth();
+    const auto& numbers = arguments.numbers;
+    const CellKey key{false, {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]}};
+    const Moments<Real> m = kept_moments(key);
+    const auto x = exact<count>(arguments);
+    const Real length = sqrt(x[8] * x[8] + x[9] * x[9] + x[10] * x[10]);
+    const Lobe<Wide> lobe{Wide(numbers[13]), Wide(numbers[14]), Wide(numbers[11]), Wide(numbers[12])};
+    if (isnan(m[0]) || length == 0 || !(lobe.m() >= 0)) return no_truth();
+    const FitShape<Wide> shape = fit_shape(lobe.m());
+    const auto parts = fit_parts(lobe, shape, [](const Slope<Wide>& s) { return s.value; });
+    const Real axis[3] = {x[8] / length, x[9] / length, x[10] / length};
+    const Real first = first_moment(m, x.data() + 5);
+    const Real value = Real(parts.r0) * first +
+                       Real(parts.beta) * (second_moment(m, x.data() + 5, axis) - Real(parts.x_m) * first);
+
+    using D = Dual<count>;
+    const auto d = duals<count>(arguments);
+    const Cell<D> cell{d[0], d[1], d[2], d[3], d[4]};
+    const Lobe<D> near(d[13], d[14], d[11], d[12]);
+    const FitParts<D> near_parts = fit_parts(near, shape, [&](const Slope<Wide>& s) {
+        return chain(near.m(), value_of(s.value), value_of(s.slope));
+    });
+    const D near_length = sqrt(d[8] * d[8] + d[9] * d[9] + d[10] * d[10]);
+    const D near_axis[3] = {d[8] / near_length, d[9] / near_length, d[10] / near_length};
+    const D of_middle = near.versine_of_middle();
+    const Integral<D> sum = integrate_over(
+        cell,
+        [&](const Direction<D>& to) {
+            // p̂·ω - x_m as a difference of versines, which keeps its digits where the cell is small.
+            const D across = to.sin_theta * to.cos_phi - near_axis[0],
+                    along = to.sin_theta * to.sin_phi - near_axis[1], up = to.cos_theta - near_axis[2];
+            const D versine = 0.5 * (across * across + along * along + up * up);
+            const D lit = near_parts.r0 + near_parts.beta * (of_middle - versine);
+            return lit * dot(to, d.data() + 5) * to.sin_theta;
+        },
+        rough);
+    return truth_of(arguments, value, sum.value, sum.magnitude);
+}
+
+Truth fit_r0(const Arguments& x) { return fit_truth<Fit::r0>(x, false); }
+Truth fit_r1(const Arguments& x) { return fit_truth<Fit::r1>(x, false); }
+Truth fit_alpha(const Arguments& x) { return fit_truth<Fit::alpha>(x, false); }
+Truth fit_beta(const Arguments& x) { return fit_truth<Fit::beta>(x, false); }
+Truth fit_l2(const Arguments& x) { return fit_truth<Fit::l2>(x, false); }
+Truth fit_l1(const Arguments& x) { return fit_truth<Fit::l1>(x, false); }
+Truth fit_r0_of_ends(const Arguments& x) { return fit_truth<Fit::r0>(x, true); }
+Truth fit_r1_of_ends(const Arguments& x) { return fit_truth<Fit::r1>(x, true); }
+Truth fit_alpha_of_ends(const Arguments& x) { return fit_truth<Fit::alpha>(x, true); }
+Truth fit_beta_of_ends(const Arguments& x) { return fit_truth<Fit::beta>(x, true); }
+
+namespace {
+
+Truth interval_truth(const Arguments& arguments, bool of_versines) {
+    if (!all_finite<7>(arguments)) return no_truth();
+    const auto x = exact<7>(arguments);
+    if (x[4] == 0 && x[5] == 0 && x[6] == 0) return no_truth();
+    const CellInterval found = interval_over(x);
+    const Extremum* ends[] = {&found.least, &found.greatest};
+    Truth truth;
+    truth.scale = 1;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double versine = value_of(ends[i]->versine);
+        truth.value[i] = of_versines ? versine : value_of(Real(1 - ends[i]->versine));
+        truth.conditioning[i] = conditioning(arguments, ends[i]->by);
+        if (!of_versines) continue;
+        // Near 0 a versine is half a square: moved by ε, it changes by ε²/2 where its derivative is none.
+        double moved = 1; // p̂, by at most this much
+        for (std::size_t k = 0; k < 4; ++k) moved += std::abs(arguments.numbers[k]);
+        moved *= half_ulp;
+        truth.conditioning[i] = std::max(truth.conditioning[i] + moved * moved / 2, versine * half_ulp);
+        truth.scale = std::min(truth.scale, versine);
+    }
+    return truth;
+}
+
+} // namespace
+
+Truth interval(const Arguments& x) { return interval_truth(x, false); }
+Truth interval_versines(const Arguments& x) { return interval_truth(x, true); }
+
+} // namespace gnomon::reference::integral
