@@ -200,7 +200,8 @@ inline std::size_t word_count(const Case& c) { return c.reference.words.size(); 
 /// Column names of a CSV file: `mask`, `outside` if the kernel takes a mask, then `along_x`, `p_x`, `p_y`, …
 std::vector<std::string> columns(const Case& c);
 
-/// Whether the arguments lie in every parameter's domain and satisfy `where`.
+/// Whether the arguments lie in every parameter's domain and satisfy `where`. Of a reference with a truth,
+/// denormal inputs are outside: a device may take them for 0.
 bool in_domain(const Case& c, const Arguments& arguments);
 
 /// Words are what the device sees: floats as their bits.

@@ -11,8 +11,9 @@ namespace gnomon::stiffness {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double most_turns = 1000; ///< whole turns that φ is moved by: beyond 8192 radians no float knows its sine
-constexpr double sharpest = 1e6;    ///< λq
+constexpr double most_turns =
+    1000; ///< whole turns that φ is moved by: beyond 8192 radians no float knows its sine
+constexpr double sharpest = 1e6; ///< λq
 using Span = std::span<double>;
 
 double uniform(Random& random, double lower, double upper) { return lower + (upper - lower) * random.unit(); }
@@ -37,7 +38,8 @@ bool is_polar(double theta) { return theta >= -1e-5 && theta <= pi + 1e-5; }
 /// What the device sees of it.
 double as_float(double number) { return static_cast<double>(static_cast<float>(number)); }
 
-// --- Cells under a boundary: phi0, phi1, theta0, k, b -----------------------------------------------------------
+// --- Cells under a boundary: phi0, phi1, theta0, k, b
+// -----------------------------------------------------------
 
 /// The boundary from the height `first` at φ0 to `last` at φ1, as k and b of the φ that float holds.
 void set_boundary(Span n, double first, double last) {
@@ -56,7 +58,8 @@ void set_slope(Random& random, Span n, double k) {
 }
 
 void draw_boundary_cell(Random& random, Span n) {
-    const double width = random.chance(0.5) ? uniform(random, 0.05, 2 * pi) : over_decades(random, 0.01, 2 * pi);
+    const double width =
+        random.chance(0.5) ? uniform(random, 0.05, 2 * pi) : over_decades(random, 0.01, 2 * pi);
     n[0] = uniform(random, -pi, pi);
     n[1] = n[0] + width;
     if (random.chance(0.1)) std::swap(n[0], n[1]);
@@ -66,12 +69,21 @@ void draw_boundary_cell(Random& random, Span n) {
 
 std::vector<Locus> boundary_loci() {
     std::vector<Locus> loci;
-    const auto add = [&](std::string name, std::string group, std::function<void(Random&, double, Span)> place) {
+    const auto add = [&](std::string name, std::string group,
+                         std::function<void(Random&, double, Span)> place) {
         loci.push_back({std::move(name), std::move(group), std::move(place)});
     };
-    for (const auto& [name, k0] : std::initializer_list<std::pair<const char*, double>>{
-             {"0", 0}, {"1/3", 1.0 / 3}, {"1/2", 0.5}, {"2/3", 2.0 / 3}, {"1", 1}, {"2", 2}, {"-1/3", -1.0 / 3},
-             {"-1/2", -0.5}, {"-2/3", -2.0 / 3}, {"-1", -1}, {"-2", -2}})
+    for (const auto& [name, k0] : std::initializer_list<std::pair<const char*, double>>{{"0", 0},
+                                                                                        {"1/3", 1.0 / 3},
+                                                                                        {"1/2", 0.5},
+                                                                                        {"2/3", 2.0 / 3},
+                                                                                        {"1", 1},
+                                                                                        {"2", 2},
+                                                                                        {"-1/3", -1.0 / 3},
+                                                                                        {"-1/2", -0.5},
+                                                                                        {"-2/3", -2.0 / 3},
+                                                                                        {"-1", -1},
+                                                                                        {"-2", -2}})
         add(fmt::format("k = {}", name), "k",
             [k0](Random& random, double d, Span n) { set_slope(random, n, k0 + about(random, d)); });
     add("phi1 - phi0 = 0", "narrow", [](Random& random, double d, Span n) {
@@ -149,10 +161,12 @@ void draw_trailing(Random& random, Trailing trailing, Span rest) {
             put(rest.subspan(i), direction(random) * uniform(random, 0.5, 2));
 }
 
-// --- Waves ------------------------------------------------------------------------------------------------------
+// --- Waves
+// ------------------------------------------------------------------------------------------------------
 
 void draw_wave(Random& random, Span n, int phases, bool wave) {
-    const double width = random.chance(0.5) ? uniform(random, 0.05, 2 * pi) : over_decades(random, 0.01, 2 * pi);
+    const double width =
+        random.chance(0.5) ? uniform(random, 0.05, 2 * pi) : over_decades(random, 0.01, 2 * pi);
     n[0] = uniform(random, -pi, pi);
     n[1] = n[0] + width;
     if (random.chance(0.1)) std::swap(n[0], n[1]);
@@ -163,7 +177,8 @@ void draw_wave(Random& random, Span n, int phases, bool wave) {
     n[i] = uniform(random, -pi, pi);
 }
 
-// --- Lobes ------------------------------------------------------------------------------------------------------
+// --- Lobes
+// ------------------------------------------------------------------------------------------------------
 
 struct LobeNumbers { // as drawn; versines of the interval's ends
     double far = 1, near = 0, lambda = 1, mu = 1;
@@ -203,13 +218,17 @@ const std::vector<LobeLocus>& lobe_loci() {
         {"lambda q = 0", "flat lobe",
          [](Random& random, double d, LobeNumbers& lobe) { set_m(lobe, d * uniform(random, 0.5, 1)); }},
         {"width = 0", "flat lobe",
-         [](Random& random, double d, LobeNumbers& lobe) { lobe.far = lobe.near + d * uniform(random, 0.5, 1); }},
+         [](Random& random, double d, LobeNumbers& lobe) {
+             lobe.far = lobe.near + d * uniform(random, 0.5, 1);
+         }},
         {"1 / lambda q = 0", "sharp lobe",
          [](Random& random, double d, LobeNumbers& lobe) {
              set_m(lobe, inverse(d, sharpest) * uniform(random, 0.5, 1));
          }},
-        {"lambda q = 1", "joins", [](Random& random, double d, LobeNumbers& lobe) { set_m(lobe, 1 + about(random, d)); }},
-        {"lambda q = 3", "joins", [](Random& random, double d, LobeNumbers& lobe) { set_m(lobe, 3 + about(random, d)); }},
+        {"lambda q = 1", "joins",
+         [](Random& random, double d, LobeNumbers& lobe) { set_m(lobe, 1 + about(random, d)); }},
+        {"lambda q = 3", "joins",
+         [](Random& random, double d, LobeNumbers& lobe) { set_m(lobe, 3 + about(random, d)); }},
         {"lambda q = 88", "joins",
          [](Random& random, double d, LobeNumbers& lobe) { set_m(lobe, 88 + 10 * about(random, d)); }},
         {"peak", "peak",
@@ -241,20 +260,23 @@ const std::vector<LobeLocus>& lobe_loci() {
     return loci;
 }
 
-std::shared_ptr<const Generator> lobe_generator(const char* name, void (*put_lobe)(const LobeNumbers&, Span)) {
+std::shared_ptr<const Generator> lobe_generator(const char* name,
+                                                void (*put_lobe)(const LobeNumbers&, Span)) {
     auto generator = std::make_shared<Generator>();
     generator->name = name;
     generator->draw = [put_lobe](Random& random, Span n) { put_lobe(draw_lobe(random), n); };
     for (const LobeLocus& locus : lobe_loci())
-        generator->loci.push_back({locus.name, locus.group, [&locus, put_lobe](Random& random, double d, Span n) {
-                                       LobeNumbers lobe = draw_lobe(random);
-                                       locus.place(random, d, lobe);
-                                       put_lobe(lobe, n);
-                                   }});
+        generator->loci.push_back(
+            {locus.name, locus.group, [&locus, put_lobe](Random& random, double d, Span n) {
+                 LobeNumbers lobe = draw_lobe(random);
+                 locus.place(random, d, lobe);
+                 put_lobe(lobe, n);
+             }});
     return generator;
 }
 
-// --- Cells and axes ---------------------------------------------------------------------------------------------
+// --- Cells and axes
+// ---------------------------------------------------------------------------------------------
 
 /// An axis at this distance from a part of the cell φ ± half, θ0 … θ1.
 struct AxisLocus {
@@ -265,7 +287,8 @@ const AxisLocus axis_loci[] = {
     {"axis inside",
      [](Random& random, double d, double phi, double half, double theta0, double theta1) {
          // On the middle and from there: inside for most cells.
-         return direction(phi + half * about(random, d), 0.5 * (theta0 + theta1) + about(random, d) * 0.5 * (theta1 - theta0));
+         return direction(phi + half * about(random, d),
+                          0.5 * (theta0 + theta1) + about(random, d) * 0.5 * (theta1 - theta0));
      }},
     {"axis on a theta edge",
      [](Random& random, double d, double phi, double half, double theta0, double) {
@@ -297,7 +320,8 @@ void draw_cell_and_axis(Random& random, Span n) {
     n[0] = uniform(random, -pi, pi);
     n[1] = random.chance(0.3) ? uniform(random, 0, pi) : over_decades(random, 0.01, 1);
     n[2] = uniform(random, 0, pi);
-    n[3] = random.chance(0.3) ? uniform(random, 0, pi) : std::clamp(n[2] + over_decades(random, 0.01, 1), 0.0, pi);
+    n[3] = random.chance(0.3) ? uniform(random, 0, pi)
+                              : std::clamp(n[2] + over_decades(random, 0.01, 1), 0.0, pi);
     if (n[3] < n[2]) std::swap(n[2], n[3]);
     const bool near = random.chance(0.5); // within a cell or two
     put(n.subspan(4), near ? direction(n[0] + 4 * n[1] * uniform(random, -1, 1),
@@ -305,12 +329,14 @@ void draw_cell_and_axis(Random& random, Span n) {
                            : direction(random));
 }
 
-// --- Lit cells: phi, half, theta0, rise (2), n (3), p (3), lambda, mu, versines (2) -------------------------------
+// --- Lit cells: phi, half, theta0, rise (2), n (3), p (3), lambda, mu, versines (2)
+// -------------------------------
 
 /// The highest value of c cos t + s sin t over |t| <= half.
 double highest(double c, double s, double half) {
     const double peak = std::hypot(c, s);
-    return half >= pi || c >= peak * std::cos(half) ? peak : c * std::cos(half) + std::abs(s) * std::sin(half);
+    return half >= pi || c >= peak * std::cos(half) ? peak
+                                                    : c * std::cos(half) + std::abs(s) * std::sin(half);
 }
 double dot_highest(double phi, double half, double theta0, double theta1, glm::dvec3 p) {
     const double amplitude = highest(p.x * std::cos(phi) + p.y * std::sin(phi),
@@ -358,7 +384,8 @@ void draw_lit_cell(Random& random, Span n) {
 
 std::vector<Locus> lit_cell_loci() {
     std::vector<Locus> loci;
-    const auto add = [&](std::string name, std::string group, std::function<void(Random&, double, Span)> place) {
+    const auto add = [&](std::string name, std::string group,
+                         std::function<void(Random&, double, Span)> place) {
         loci.push_back({std::move(name), std::move(group), [place](Random& random, double d, Span n) {
                             place(random, d, n);
                             set_versines(n);
@@ -367,8 +394,9 @@ std::vector<Locus> lit_cell_loci() {
     add("size = 0", "small", [](Random& random, double d, Span n) {
         n[1] = d * uniform(random, 0.5, 1);
         set_rise(n, std::min(pi, n[2] + d * random.unit()), std::min(pi, n[2] + d * random.unit()));
-        put(n.subspan(8), random.chance(0.5) ? direction(random)
-                                             : direction(n[0] + 2 * about(random, d), n[2] + 2 * about(random, d)));
+        put(n.subspan(8), random.chance(0.5)
+                              ? direction(random)
+                              : direction(n[0] + 2 * about(random, d), n[2] + 2 * about(random, d)));
         n[11] = over_decades(random, 1, 1e6);
     });
     add("half_width = 0", "narrow",
@@ -405,9 +433,11 @@ std::vector<Locus> lit_cell_loci() {
         n[11] = d * uniform(random, 0.5, 1) / std::max(1e-12, 0.5 * (n[13] - n[14]));
     });
     add("1 / lambda q = 0", "sharp lobe", [](Random& random, double d, Span n) {
-        put(n.subspan(8), direction(n[0] + n[1] * uniform(random, -1, 1), uniform(random, low_theta(n), high_theta(n))));
+        put(n.subspan(8),
+            direction(n[0] + n[1] * uniform(random, -1, 1), uniform(random, low_theta(n), high_theta(n))));
         set_versines(n);
-        n[11] = std::min(1e8, inverse(d, sharpest) * uniform(random, 0.5, 1) / std::max(1e-12, 0.5 * (n[13] - n[14])));
+        n[11] = std::min(1e8, inverse(d, sharpest) * uniform(random, 0.5, 1) /
+                                  std::max(1e-12, 0.5 * (n[13] - n[14])));
     });
     add("mu = 0", "mu", [](Random& random, double d, Span n) { n[12] = about(random, d); });
     for (const AxisLocus& locus : axis_loci)
@@ -436,11 +466,12 @@ std::shared_ptr<const Generator> boundary_cells(Trailing trailing) {
     generator->loci = boundary_loci();
     if (trailing == Trailing::vector || trailing == Trailing::two_vectors)
         for (std::size_t vector = 0; vector < rest / 3; ++vector)
-            generator->loci.push_back({vector + 1 == rest / 3 && vector > 0 ? "p on the pole" : "n on the pole", "axis",
-                                       [vector](Random& random, double d, Span n) {
-                                           n[5 + 3 * vector] = about(random, d);
-                                           n[6 + 3 * vector] = about(random, d);
-                                       }});
+            generator->loci.push_back(
+                {vector + 1 == rest / 3 && vector > 0 ? "p on the pole" : "n on the pole", "axis",
+                 [vector](Random& random, double d, Span n) {
+                     n[5 + 3 * vector] = about(random, d);
+                     n[6 + 3 * vector] = about(random, d);
+                 }});
     return generator;
 }
 
@@ -454,7 +485,8 @@ std::shared_ptr<const Generator> waves(int phases, bool wave) {
     auto generator = std::make_shared<Generator>();
     generator->name = "waves";
     generator->draw = [phases, wave](Random& random, Span n) { draw_wave(random, n, phases, wave); };
-    const auto add = [&](std::string name, std::string group, std::function<void(Random&, double, Span)> place) {
+    const auto add = [&](std::string name, std::string group,
+                         std::function<void(Random&, double, Span)> place) {
         generator->loci.push_back({std::move(name), std::move(group), std::move(place)});
     };
     const auto s = static_cast<std::size_t>(2 + phases);
@@ -462,7 +494,8 @@ std::shared_ptr<const Generator> waves(int phases, bool wave) {
         for (const double s0 : {0.0, 1.0, -1.0, 2.0, -2.0})
             add(fmt::format("s = {}", s0), "s",
                 [s, s0](Random& random, double d, Span n) { n[s] = s0 + about(random, d); });
-    add("phi1 - phi0 = 0", "narrow", [](Random& random, double d, Span n) { n[1] = n[0] + about(random, d); });
+    add("phi1 - phi0 = 0", "narrow",
+        [](Random& random, double d, Span n) { n[1] = n[0] + about(random, d); });
     add("phi1 - phi0 = 2 pi", "full turn", [](Random&, double d, Span n) { n[1] = n[0] + 2 * pi - d; });
     add("1/phi = 0", "offset", [](Random& random, double d, Span n) {
         const double shift = either(random, 2 * pi * std::round(inverse(d, most_turns)));
@@ -477,8 +510,13 @@ std::shared_ptr<const Generator> waves(int phases, bool wave) {
     return generator;
 }
 
-bool is_wave(const Arguments& arguments) {
-    return std::abs(arguments.numbers[1] - arguments.numbers[0]) <= 2 * pi + 1e-5;
+std::function<bool(const Arguments&)> is_wave(std::size_t s) {
+    return [s](const Arguments& arguments) {
+        const auto& n = arguments.numbers;
+        const double width = std::abs(n[1] - n[0]), far = std::max(std::abs(n[0]), std::abs(n[1]));
+        return width <= 2 * pi + 1e-5 &&
+               (s == 0 || (width * std::abs(n[s]) <= 200 && far * (std::abs(n[s]) + 2) <= 8000));
+    };
 }
 
 std::shared_ptr<const Generator> lobes() {
@@ -508,19 +546,18 @@ std::shared_ptr<const Generator> cells_and_axes() {
         generator->loci.push_back({locus.name, "axis", [&locus](Random& random, double d, Span n) {
                                        put(n.subspan(4), locus.axis(random, d, n[0], n[1], n[2], n[3]));
                                    }});
-    generator->loci.push_back({"half_width = 0", "narrow", [](Random& random, double d, Span n) {
-                                   n[1] = d * uniform(random, 0.5, 1);
-                               }});
-    generator->loci.push_back({"half_width = pi", "full turn", [](Random& random, double d, Span n) {
-                                   n[1] = pi - d * random.unit();
-                               }});
+    generator->loci.push_back({"half_width = 0", "narrow",
+                               [](Random& random, double d, Span n) { n[1] = d * uniform(random, 0.5, 1); }});
+    generator->loci.push_back({"half_width = pi", "full turn",
+                               [](Random& random, double d, Span n) { n[1] = pi - d * random.unit(); }});
     generator->loci.push_back({"theta1 = theta0", "slab", [](Random& random, double d, Span n) {
                                    n[3] = std::min(pi, n[2] + d * random.unit());
                                }});
     generator->loci.push_back({"size = 0", "small", [](Random& random, double d, Span n) {
                                    n[1] = d * uniform(random, 0.5, 1);
                                    n[3] = std::min(pi, n[2] + d * random.unit());
-                                   put(n.subspan(4), direction(n[0] + 2 * about(random, d), n[2] + 2 * about(random, d)));
+                                   put(n.subspan(4),
+                                       direction(n[0] + 2 * about(random, d), n[2] + 2 * about(random, d)));
                                }});
     generator->loci.push_back({"theta = 0", "pole", [](Random& random, double d, Span n) {
                                    n[2] = d * random.unit();

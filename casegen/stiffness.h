@@ -19,7 +19,9 @@ bool is_boundary_cell(const Arguments& arguments);
 
 /// phi0, phi1, then `phases` angles, then s and t if `wave`.
 std::shared_ptr<const Generator> waves(int phases, bool wave);
-bool is_wave(const Arguments& arguments);
+/// Whether φ0 … φ1 spans at most a turn, and the second wave, whose frequency is the `s`th number (0: there
+/// is none), no more than 200 radians of it, and none beyond 8000.
+std::function<bool(const Arguments&)> is_wave(std::size_t s);
 
 /// versines (1 - a, 1 - b), lambda, mu; and the same with the ends (a, b).
 std::shared_ptr<const Generator> lobes();

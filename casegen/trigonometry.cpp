@@ -47,7 +47,8 @@ float exponential(float x) { return exp(x); }
     case Trigonometry::coarse:
         break;
     }
-    // Rounded to multiples of 2⁻¹⁰, so that the error is anything up to 2⁻¹¹; the largest error of exp that is allowed.
+    // Rounded to multiples of 2⁻¹⁰, so that the error is anything up to 2⁻¹¹; the largest error of exp that
+    // is allowed.
     return R"(float coarse(float x) { return floor(x * 1024.0 + 0.5) / 1024.0; }
 float sine(float x) { return coarse(sin(x)); }
 float cosine(float x) { return coarse(cos(x)); }

@@ -1,5 +1,5 @@
-// Where the kernels' sin, cos and exp come from. Vulkan promises little of its own: sin and cos within 2⁻¹¹ on -π … π and
-// nothing beyond, exp within 3 + 2|x| ulps.
+// Where the kernels' sin, cos and exp come from. Vulkan promises little of its own: sin and cos within 2⁻¹¹
+// on -π … π and nothing beyond, exp within 3 + 2|x| ulps.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// A0 … B of kernels/integral: Appendix B, Equations 8 to 15, over cells under a linear boundary; and those cells' other form.
+// A0 … B of kernels/integral: Appendix B, Equations 8 to 15, over cells under a linear boundary; and those
+// cells' other form.
 #include "casegen/integral/quantity.h"
 #include "casegen/reference/integral/truth.h"
 
@@ -22,12 +23,15 @@ std::vector<Parameter> cell() {
             {"b", {-1e9, 1e9, {}}, "radians", "the boundary's height at azimuth 0"}};
 }
 Parameter phase(const char* name) {
-    return {name, {-7, 7, {}}, "radians", "the vector's azimuth from y towards x: x cos(phi) + y sin(phi) = u sin(phi + it)"};
+    return {name,
+            {-7, 7, {}},
+            "radians",
+            "the vector's azimuth from y towards x: x cos(phi) + y sin(phi) = u sin(phi + it)"};
 }
 Parameter vector(const char* name, const char* meaning) { return {name, {-10, 10, {}}, "1", meaning}; }
 
-Quantity over_cell(const char* name, int equation, Reference reference, Trailing trailing, std::vector<Parameter> rest,
-                   const char* meaning) {
+Quantity over_cell(const char* name, int equation, Reference reference, Trailing trailing,
+                   std::vector<Parameter> rest, const char* meaning) {
     std::vector<Parameter> parameters = cell();
     parameters.insert(parameters.end(), rest.begin(), rest.end());
     return {name,
@@ -37,7 +41,8 @@ Quantity over_cell(const char* name, int equation, Reference reference, Trailing
             {-largest, largest, "steradians", meaning},
             stiffness::boundary_cells(trailing),
             stiffness::is_boundary_cell,
-            "a reversed interval of phi, or a boundary below theta0, negates; an input that is not finite gives 0"};
+            "a reversed interval of phi, or a boundary below theta0, negates; an input that is not finite "
+            "gives 0"};
 }
 
 double height(const Arguments& arguments, std::size_t end) {
@@ -45,7 +50,8 @@ double height(const Arguments& arguments, std::size_t end) {
     return n[3] * n[end] + n[4];
 }
 
-/// Where waves of the cell's own angles neither cancel nor carry a large rounding: no slab, no pole, not steep.
+/// Where waves of the cell's own angles neither cancel nor carry a large rounding: no slab, no pole, not
+/// steep.
 bool is_wide(const Arguments& arguments) {
     const auto& n = arguments.numbers;
     const double first = height(arguments, 0), last = height(arguments, 1);
@@ -62,10 +68,9 @@ bool is_far_from_loci(const Arguments& arguments) {
 }
 
 glm::dvec4 from_boundary(double phi0, double phi1, double theta0, double k, double b) {
-    // A product of two floats is exact in a double; of the sums long double loses nothing that a float would show.
+    // A product of two floats is exact in a double, and so is the difference of two that nearly cancel.
     const auto above = [&](double phi) {
-        return static_cast<double>(static_cast<long double>(k * phi) + static_cast<long double>(b) -
-                                   static_cast<long double>(theta0));
+        return static_cast<double>(static_cast<long double>(b - theta0) + static_cast<long double>(k * phi));
     };
     return {0.5 * (phi0 + phi1), 0.5 * (phi1 - phi0), above(phi0), above(phi1)};
 }
@@ -81,19 +86,23 @@ std::vector<Case> boundary_cases() {
     const Parameter n = vector("n", "the receiver's normal times its albedo, in the cell's frame");
     const Parameter p = vector("p", "the lobe's axis times the fit's slope, in the cell's frame");
     const std::vector<Quantity> parts{
-        over_cell("a0", 9, reference_by<Angle>(a0), Trailing::angle, {phase("tau")}, "integral of sin(phi + tau) sin^2(theta)"),
-        over_cell("a1", 10, reference_by<Cell>(a1), Trailing::nothing, {}, "integral of cos(theta) sin(theta)"),
+        over_cell("a0", 9, reference_by<Angle>(a0), Trailing::angle, {phase("tau")},
+                  "integral of sin(phi + tau) sin^2(theta)"),
+        over_cell("a1", 10, reference_by<Cell>(a1), Trailing::nothing, {},
+                  "integral of cos(theta) sin(theta)"),
         over_cell("b0", 12, reference_by<Angles>(b0), Trailing::two_angles, {phase("gamma"), phase("tau")},
                   "integral of sin(phi + gamma) sin(phi + tau) sin^3(theta)"),
         over_cell("b1", 13, reference_by<Angle>(b1), Trailing::angle, {phase("gamma")},
                   "integral of sin(phi + gamma) cos(theta) sin^2(theta)"),
         over_cell("b2", 14, reference_by<Angle>(b2), Trailing::angle, {phase("tau")},
                   "integral of sin(phi + tau) cos(theta) sin^2(theta)"),
-        over_cell("b3", 15, reference_by<Cell>(b3), Trailing::nothing, {}, "integral of cos^2(theta) sin(theta)"),
+        over_cell("b3", 15, reference_by<Cell>(b3), Trailing::nothing, {},
+                  "integral of cos^2(theta) sin(theta)"),
     };
     const std::vector<Quantity> wholes{
         over_cell("a", 8, reference_by<Vector>(a), Trailing::vector, {n}, "integral of n.w over solid angle"),
-        over_cell("b", 11, reference_by<Vectors>(b), Trailing::two_vectors, {n, p}, "integral of (p.w)(n.w) over solid angle"),
+        over_cell("b", 11, reference_by<Vectors>(b), Trailing::two_vectors, {n, p},
+                  "integral of (p.w)(n.w) over solid angle"),
     };
     std::vector<Case> cases;
     for (const auto* list : {&parts, &wholes})
@@ -103,7 +112,8 @@ std::vector<Case> boundary_cases() {
             cases.push_back(in_form("exact_theta", q, conditioned(4)));
         }
     for (const Quantity& q : wholes) {
-        const auto turns = [](const Arguments& arguments, double most) { // radians of the fastest wave on half the width
+        const auto turns = [](const Arguments& arguments,
+                              double most) { // radians of the fastest wave on half the width
             const auto& v = arguments.numbers;
             return (3 * std::abs(v[3]) + 2) * 0.5 * std::abs(v[1] - v[0]) <= most;
         };
@@ -125,7 +135,8 @@ std::vector<Case> boundary_cases() {
         .source = "integrals.md, section 3",
         .reference = from_boundary,
         .parameters = cell(),
-        .result = {-largest, largest, "radians", "phi in the middle, half the width, the boundary above theta0 at phi0 and at phi1"},
+        .result = {-largest, largest, "radians",
+                   "phi in the middle, half the width, the boundary above theta0 at phi0 and at phi1"},
         .tolerance = ulps(2),
         .where = [](const Arguments& arguments) { return stiffness::is_boundary_cell(arguments); },
         .generator = stiffness::boundary_cells(Trailing::nothing),
@@ -134,7 +145,10 @@ std::vector<Case> boundary_cases() {
     cases.push_back({
         .name = "integral/cell/from_south",
         .source = "integrals.md, section 3",
-        .reference = [](double theta) { return static_cast<double>(std::numbers::pi_v<long double> - static_cast<long double>(theta)); },
+        .reference =
+            [](double theta) {
+                return static_cast<double>(std::numbers::pi_v<long double> - static_cast<long double>(theta));
+            },
         .parameters = {{"theta", {0, 3.1415927, {}}, "radians", "the angle from the pole"}},
         .result = {-largest, largest, "radians", "the angle from the opposite pole"},
         .tolerance = ulps(1),

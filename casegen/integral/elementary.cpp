@@ -1,4 +1,5 @@
-// kernels/integral/elementary: judged by the C library's functions of doubles, which are right far beyond a float.
+// kernels/integral/elementary: judged by the C library's functions of doubles, which are right far beyond a
+// float.
 #include "casegen/integral/quantity.h"
 
 #include <cmath>
@@ -7,7 +8,8 @@ namespace gnomon::integral {
 namespace {
 
 double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
-/// 1 - sin x / x as the mean of 1 - cos over 0 … x, by Simpson's rule on halves of the angle: no cancellation.
+/// 1 - sin x / x as the mean of 1 - cos over 0 … x, by Simpson's rule on halves of the angle: no
+/// cancellation.
 double sinc_deficit(double x) {
     if (std::abs(x) > 3) return 1 - sinc(x);
     double sum = 0;
@@ -32,7 +34,8 @@ std::vector<Case> elementary_cases() {
             .reference = [](double x) { return std::sin(x); },
             .parameters = {angle(known, "any angle; beyond 65536 it is taken for 0")},
             .result = {-1, 1, "1", "sin x"},
-            .tolerance = absolute(1e-7), // a float's rounding below 1, the rest of the reduction, the polynomial's sums
+            .tolerance = absolute(
+                1e-7), // a float's rounding below 1, the rest of the reduction, the polynomial's sums
         },
         {
             .name = "integral/elementary/cos",

@@ -41,7 +41,9 @@ Case as_printed(Case c, std::function<bool(const Arguments&)> ordinary) {
 std::vector<Family> integral_families() {
     using namespace integral;
     std::vector<Family> families{
-        {"integral/elementary", "sin, cos, exp and what avoids their cancellations, the same on every device", {}},
+        {"integral/elementary",
+         "sin, cos, exp and what avoids their cancellations, the same on every device",
+         {}},
         {"integral/interval", "the interval of a dot product over a cell", {}},
         {"integral/fit", "the linear fit of a lobe by versines, and its error", {}},
         {"integral/fit_printed", "the linear fit of a lobe as printed", {}},
@@ -55,7 +57,11 @@ std::vector<Family> integral_families() {
         {"integral/centred_4", "Gauss-Legendre with 4 x 4 nodes, the fit about its middle", {}},
         {"integral/centred_8", "Gauss-Legendre with 8 x 8 nodes, the fit about its middle", {}},
         {"integral/centred_12", "Gauss-Legendre with 12 x 12 nodes, the fit about its middle", {}},
-        {"integral/mix", "the default: the cheapest of these that is good enough for the cell", {}},
+        {"integral/columns_4", "4 columns, each exact in theta about its middle", {}},
+        {"integral/columns_8", "8 columns, each exact in theta about its middle", {}},
+        {"integral/columns_12", "12 columns, each exact in theta about its middle", {}},
+        {"integral/columns_16", "16 columns, each exact in theta about its middle", {}},
+        {"integral/mix", "the default: as many columns as the cell asks for", {}},
     };
     for (auto* table : {elementary_cases, lobe_cases, wave_cases, boundary_cases, radiance_cases})
         for (Case& c : table()) {

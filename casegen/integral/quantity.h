@@ -1,5 +1,5 @@
-// Tables of kernels/integral. A quantity is computed by several kernels, each a form of the same integral: the quantity says
-// what is asked and what is true, a form how far from that it may be.
+// Tables of kernels/integral. A quantity is computed by several kernels, each a form of the same integral:
+// the quantity says what is asked and what is true, a form how far from that it may be.
 #pragma once
 
 #include "casegen/catalogue.h"

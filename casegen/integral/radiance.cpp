@@ -25,11 +25,16 @@ Quantity radiance() {
              {"p", {-1, 1, {}}, "1", "the lobe's axis, of length 1, in the cell's frame"},
              {"lambda", {0, 1e8, {}}, "1", "the lobe's sharpness: mu e^(lambda (x - 1))"},
              {"mu", {-1e6, 1e6, {}}, "radiance", "the lobe's height"},
-             {"versines", {0, 2, {}}, "1", "1 - a and 1 - b of the interval a to b of x = p.w that the fit is made for"}},
-            {-largest, largest, "radiance x steradians", "the fit of the lobe times n.w, over the cell under its boundary"},
+             {"versines",
+              {0, 2, {}},
+              "1",
+              "1 - a and 1 - b of the interval a to b of x = p.w that the fit is made for"}},
+            {-largest, largest, "radiance x steradians",
+             "the fit of the lobe times n.w, over the cell under its boundary"},
             stiffness::lit_cells(),
             stiffness::is_lit_cell,
-            "a reversed interval of phi or theta negates, one of x is turned round; an input that is not finite gives 0"};
+            "a reversed interval of phi or theta negates, one of x is turned round; an input that is not "
+            "finite gives 0"};
 }
 
 struct Shape { // of a cell, in radians
@@ -51,9 +56,9 @@ Shape shape_of(const Arguments& arguments) {
 bool is_wide(const Arguments& arguments) {
     const Shape s = shape_of(arguments);
     const auto is_inner = [](double theta) { return theta > 0.3 && theta < pi - 0.3; };
-    return s.half_width > 0.1 && std::abs(arguments.numbers[0]) < 20 && is_inner(s.theta0) && is_inner(s.first) &&
-           is_inner(s.last) && std::abs(0.5 * (s.first + s.last) - s.theta0) > 0.2 && s.q > 0.1 && s.lambda < 40 &&
-           std::abs(s.last - s.first) < 5 * s.half_width;
+    return s.half_width > 0.1 && std::abs(arguments.numbers[0]) < 20 && is_inner(s.theta0) &&
+           is_inner(s.first) && is_inner(s.last) && std::abs(0.5 * (s.first + s.last) - s.theta0) > 0.2 &&
+           s.q > 0.1 && s.lambda < 40 && std::abs(s.last - s.first) < 5 * s.half_width;
 }
 bool is_far_from_loci(const Arguments& arguments) {
     const Shape s = shape_of(arguments);
@@ -69,7 +74,7 @@ std::vector<Case> radiance_cases() {
     const Quantity q = radiance();
     const auto exact_theta = [&](const char* form, double most) {
         // So large that α and βx do not cancel, and of so few turns that the rule has nodes for them.
-        return good_where(in_form(form, q, conditioned(4)), [most](const Arguments& arguments) {
+        return good_where(in_form(form, q, conditioned(20)), [most](const Arguments& arguments) {
             const Shape s = shape_of(arguments);
             return s.wave <= most && s.q > 0.05;
         });
@@ -80,7 +85,15 @@ std::vector<Case> radiance_cases() {
             return s.wave <= most && 1.5 * s.rise <= most;
         });
     };
+    const auto columns = [&](const char* form, double most) {
+        return good_where(in_form(form, q, conditioned(2)),
+                          [most](const Arguments& arguments) { return shape_of(arguments).wave <= most; });
+    };
     std::vector<Case> cases;
+    cases.push_back(columns("columns_4", 0.6));
+    cases.push_back(columns("columns_8", 4));
+    cases.push_back(columns("columns_12", 8));
+    cases.push_back(columns("columns_16", 20));
     cases.push_back(in_form("mix", q, conditioned(2)));
     cases.push_back(centred("centred_4", 0.6));
     cases.push_back(centred("centred_8", 4));
@@ -89,7 +102,7 @@ std::vector<Case> radiance_cases() {
     cases.push_back(exact_theta("exact_theta_8", 4));
     cases.push_back(exact_theta("exact_theta", 8));
     cases.push_back(good_where(in_form("sinc", q, conditioned(40)), is_wide));
-    cases.push_back(as_printed(in_form("printed", q, conditioned(200)), is_far_from_loci));
+    cases.push_back(as_printed(in_form("printed", q, conditioned(1000)), is_far_from_loci));
     Case exactly = in_form("as_printed", q, conditioned(200));
     exactly.defended = false;
     exactly.fails = "B0 asks for C4 at s = 1, where it divides by zero: never a number";

@@ -30,9 +30,9 @@ Truth b2(const Arguments& phi0_phi1_theta0_k_b_tau);       ///< sin(φ + τ) cos
 Truth b3(const Arguments& phi0_phi1_theta0_k_b);           ///< cos²θ sinθ
 Truth b(const Arguments& phi0_phi1_theta0_k_b_n_p);        ///< (p·ω)(n·ω) sinθ
 
-/// Equation 5: the integral of (r0 + β (p·ω - x_m)) (n·ω) sinθ over φ - half … φ + half and θ0 … θ0 +
+/// Equation 5: the integral of (r0 + β (p̂·ω - x_m)) (n·ω) sinθ over φ - half … φ + half and θ0 … θ0 +
 /// rise(φ); rise is linear from rise.x to rise.y. r0 and β are the fit of the lobe μ e^(λ(x-1)) on the
-/// interval of x = p̂·ω whose versines are (1 - a, 1 - b), x_m its middle. p is taken as it is, not scaled to length 1.
+/// interval of x = p̂·ω whose versines are (1 - a, 1 - b), x_m its middle; p̂ is p scaled to length 1.
 Truth radiance(const Arguments& phi_half_theta0_rise_n_p_lambda_mu_versines);
 
 // Appendix A: the linear fit of μ e^(λ(x-1)) on a … b, by its versines (1 - a, 1 - b); its mean r0, the slope

@@ -11,5 +11,5 @@ float integral_as_printed_radiance(float phi, float half_width, float theta0, ve
     float alpha = integral_fit_printed_alpha(cell.ends, lambda, mu);
     float beta = integral_fit_printed_beta(cell.ends, lambda, mu);
     return alpha * integral_printed_a(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n) +
-           integral_as_printed_b(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n, beta * p);
+           beta * integral_as_printed_b(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n, p);
 }

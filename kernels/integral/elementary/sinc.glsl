@@ -2,5 +2,5 @@
 #include "integral/trigonometry.glslh"
 
 float integral_elementary_sinc(float x) {
-    return x == 0.0 ? 1.0 : sine(x) / x;
+    return abs(x) > 0.0 ? sine(x) / x : 1.0; // NaN is taken for 0, as sin takes it
 }

@@ -7,5 +7,6 @@ float integral_elementary_sinc_deficit(float x) {
     precise float series =
         z * (0.166666667 +
              z * (-8.33333333e-3 + z * (1.98412698e-4 + z * (-2.75573192e-6 + z * 2.50521084e-8))));
-    return abs(x) < 1.5 ? series : 1.0 - sine(x) / x;
+    // NaN is taken for 0, as sin takes it.
+    return abs(x) >= 1.5 ? 1.0 - sine(x) / x : abs(x) < 1.5 ? series : 0.0;
 }

@@ -20,8 +20,8 @@ vec2 integral_interval_corner(float phi, float half_width, vec2 theta, vec3 p) {
     // An axis is in the cell if its direction is in both arcs.
     float u = length(p.xy), high = u, low = -u;
     vec2 t = arcs.middle_t;
-    bool in_phi = c >= u * arcs.ends.x, opposite_in_phi = -c >= u * arcs.ends.x;
-    if (in_phi && high * t.y + p.z * t.x >= arcs.ends_t.x) b = 1.0;
-    if (opposite_in_phi && -(low * t.y + p.z * t.x) >= arcs.ends_t.x) a = -1.0;
+    bool in_phi = arc_holds(c, s, u, arcs.ends), opposite_in_phi = arc_holds(-c, -s, u, arcs.ends);
+    if (in_phi && arc_holds(high * t.y + p.z * t.x, high * t.x - p.z * t.y, 1.0, arcs.ends_t)) b = 1.0;
+    if (opposite_in_phi && arc_holds(-(low * t.y + p.z * t.x), p.z * t.y - low * t.x, 1.0, arcs.ends_t)) a = -1.0;
     return clamp(vec2(a, b), -1.0, 1.0);
 }

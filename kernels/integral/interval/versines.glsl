@@ -9,8 +9,8 @@
 // The point of an arc, (cos, sin) from its middle, where c cos t + s sin t is highest.
 vec2 highest_point(float c, float s, vec2 ends) {
     float peak = length(vec2(c, s));
-    if (peak == 0.0) return vec2(1.0, 0.0);
-    return c >= peak * ends.x ? vec2(c, s) / peak : vec2(ends.x, s < 0.0 ? -ends.y : ends.y);
+    if (peak < 1e-18) return vec2(1.0, 0.0); // the squares are none: any point is as good
+    return arc_holds(c, s, peak, ends) ? vec2(c, s) / peak : vec2(ends.x, s < 0.0 ? -ends.y : ends.y);
 }
 
 // Half the squared distance from p to the cell's point that `sign` p is nearest to.
@@ -21,7 +21,8 @@ float versine_at(vec3 p, float sign, vec2 ends, vec2 first, vec2 last, vec2 midd
     float peak = length(vec2(c, s));
     // At an end of θ its own sine is taken, not the middle's turned: near a pole that keeps its digits.
     vec2 t = s < 0.0 ? first : last;
-    if (c >= peak * ends_t.x) t = sign * vec2(p.z, amplitude) / max(peak, 1e-30);
+    // (Below 1e-18 the squares are none: the product is then 0 all over the arc.)
+    if (peak > 1e-18 && arc_holds(c, s, peak, ends_t)) t = sign * vec2(p.z, amplitude) / peak;
     vec3 away = vec3(t.y * across, t.x) - p;
     return 0.5 * dot(away, away);
 }
