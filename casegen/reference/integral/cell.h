@@ -50,7 +50,7 @@ struct CellKey {
 Cell<Real> exact_cell(const CellKey& key);
 Moments<Real> kept_moments(const CellKey& key);
 
-// ∫∫ sinθ (…) as combinations of moments; `n`, `p` are 3 numbers.
+// ∫∫ (n·ω) sinθ and ∫∫ (p·ω) (n·ω) sinθ as combinations of moments; `n`, `p` are 3 numbers.
 template <typename R>
 R first_moment(const Moments<R>& m, const R* n) {
     return n[0] * m[sin2_cos_phi] + n[1] * m[sin2_sin_phi] + n[2] * m[sin_cos_theta];
@@ -60,6 +60,19 @@ R second_moment(const Moments<R>& m, const R* n, const R* p) {
     return p[0] * n[0] * m[sin3_cos2_phi] + (p[0] * n[1] + p[1] * n[0]) * m[sin3_sin_cos_phi] +
            p[1] * n[1] * m[sin3_sin2_phi] + (p[0] * n[2] + p[2] * n[0]) * m[sin2_cos_cos_phi] +
            (p[1] * n[2] + p[2] * n[1]) * m[sin2_cos_sin_phi] + p[2] * n[2] * m[cos2_sin];
+}
+
+/// The axis whose n·ω is sin(φ + phase) sinθ (equation 4, read backwards).
+template <typename T>
+std::array<T, 3> axis_of_phase(const T& phase) {
+    T s, c;
+    sin_cos(phase, s, c);
+    return {s, c, T(0)};
+}
+/// The axis whose n·ω is cosθ.
+template <typename T>
+std::array<T, 3> polar_axis() {
+    return {T(0), T(0), T(1)};
 }
 
 /// A direction by its angles.

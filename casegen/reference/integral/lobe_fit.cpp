@@ -5,35 +5,36 @@
 namespace gnomon::reference::integral {
 namespace {
 
-/// Width of a panel in units of 1/m, and how many of them until e^{-ms} is beneath notice (1e-69).
-constexpr int panel_width = 8, panels_with_decay = 20;
+/// Width of a panel in units of 1/m, and how many of them until e^{-ms} is beneath notice (1e-35).
+constexpr int panel_width = 8, panels_with_decay = 10;
 
 /// Calls node(s, weight, e^{-ms}) for a quadrature over s = from … to. Panels are as narrow as the decay asks
 /// for where there is any, whatever m is; behind them is one more for all the rest, where only the polynomial
 /// part of an integrand is left.
 template <typename R, typename Node>
 void for_each_node(const R& m, const R& from, const R& to, const Effort& effort, const Node& node) {
-    using std::exp;
-    const auto panel = [&](const R& begin, const R& end, double omega) {
-        const R middle = (begin + end) / 2, half = (end - begin) / 2;
+    const auto panel = [&](const R& begin, const R& end, double omega, std::vector<R>& decay) {
         // Squares of the remainder decay twice as fast; slopes by m bring one power of s more per factor.
         const Rule<R>& rule = gauss_rule<R>(nodes_for(2 * omega, effort) + 1);
-        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-            const R s = middle + half * rule.nodes[i];
-            node(s, half * rule.weights[i], R(exp(-m * s)));
-        }
+        const R half = (end - begin) / 2, before = exp(R(-m * begin));
+        if (decay.empty()) // within a panel: the same in all of one width
+            for (const R& x : rule.nodes) decay.push_back(exp(R(-m * half * (1 + x))));
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+            node(R(begin + half * (1 + rule.nodes[i])), R(half * rule.weights[i]), R(before * decay[i]));
     };
-    if (m * (to - from) <= panel_width) {
-        panel(from, to, value_of(R(m * (to - from))) / 2);
-        return;
-    }
+    std::vector<R> of_full, of_last;
     R begin = from;
-    for (int i = 0; i < panels_with_decay && begin < to && m * begin < panel_width * panels_with_decay; ++i) {
-        const R end = std::min<R>(to, begin + panel_width / m);
-        panel(begin, end, 0.5 * panel_width);
-        begin = end;
-    }
-    if (begin < to) panel(begin, to, 1);
+    const R width = panel_width / m;
+    for (int i = 0; i < panels_with_decay && to - begin > width; ++i, begin += width)
+        panel(begin, begin + width, 0.5 * panel_width, of_full);
+    if (begin < to) panel(begin, to, std::min(0.5 * panel_width, value_of(R(m * (to - begin))) / 2), of_last);
+}
+
+/// Lobe less fit.
+template <typename R>
+Slope<R> remainder(const FitShape<R>& shape, const R& s, const R& e) {
+    return {R(e - shape.mean.value - shape.tilt.value * (1 - s)),
+            R(-s * e - shape.mean.slope - shape.tilt.slope * (1 - s))};
 }
 
 /// Where the lobe crosses the fit, in s: two places, because an exponential is convex and a line is not.
@@ -79,40 +80,39 @@ FitShape<R> fit_shape(const R& m, const Effort& effort) {
 }
 
 template <typename R>
-FitError<R> fit_error(const R& m, const FitShape<R>& shape, const Effort& effort) {
-    using std::sqrt;
-    FitError<R> error;
-    if (m == 0) return error;
-    const auto remainder = [&](const R& s, const R& e) {
-        return Slope<R>{e - shape.mean.value - shape.tilt.value * (1 - s),
-                        -s * e - shape.mean.slope - shape.tilt.slope * (1 - s)};
-    };
+Slope<R> fit_l2(const R& m, const FitShape<R>& shape, const Effort& effort) {
+    if (m == 0) return {};
     R squares = 0, products = 0;
     for_each_node<R>(m, 0, 2, effort, [&](const R& s, const R& weight, const R& e) {
-        const Slope<R> d = remainder(s, e);
+        const Slope<R> d = remainder(shape, s, e);
         squares += weight * d.value * d.value;
         products += weight * d.value * d.slope;
     });
-    error.l2.value = sqrt(squares);
-    error.l2.slope = products / error.l2.value;
+    const R root = sqrt(squares);
+    return {root, R(products / root)};
+}
 
+template <typename R>
+Slope<R> fit_l1(const R& m, const FitShape<R>& shape, const Effort& effort) {
+    if (m == 0) return {};
     const R first = crossing<R>(m, shape, 0), last = crossing<R>(m, shape, 2);
+    Slope<R> sum;
     const auto add = [&](const R& from, const R& to, int sign) {
         for_each_node<R>(m, from, to, effort, [&](const R& s, const R& weight, const R& e) {
-            const Slope<R> d = remainder(s, e);
-            error.l1.value += sign * weight * d.value;
-            error.l1.slope += sign * weight * d.slope;
+            const Slope<R> d = remainder(shape, s, e);
+            sum.value += sign * weight * d.value;
+            sum.slope += sign * weight * d.slope; // that the crossings move changes nothing: there d is 0
         });
     };
     add(0, first, 1);
     add(first, last, -1);
     add(last, 2, 1);
-    return error;
+    return sum;
 }
 
 template FitShape<Real> fit_shape(const Real&, const Effort&);
 template FitShape<Wide> fit_shape(const Wide&, const Effort&);
-template FitError<Real> fit_error(const Real&, const FitShape<Real>&, const Effort&);
-template FitError<Wide> fit_error(const Wide&, const FitShape<Wide>&, const Effort&);
+template Slope<Wide> fit_l2(const Wide&, const FitShape<Wide>&, const Effort&);
+template Slope<Wide> fit_l1(const Wide&, const FitShape<Wide>&, const Effort&);
 
 } // namespace gnomon::reference::integral

@@ -21,17 +21,14 @@ template <typename R>
 struct FitShape {
     Slope<R> mean, tilt, tilt_by_m;
 };
-/// The root of ∫ (G - L)² dx is g √q·l2, ∫ |G - L| dx is g q·l1.
-template <typename R>
-struct FitError {
-    Slope<R> l2, l1;
-};
-
 /// For Real and Wide; m ≥ 0.
 template <typename R>
 FitShape<R> fit_shape(const R& m, const Effort& effort = {});
+/// The root of ∫ (G - L)² dx is g √q·fit_l2, ∫ |G - L| dx is g q·fit_l1. For Wide.
 template <typename R>
-FitError<R> fit_error(const R& m, const FitShape<R>& shape, const Effort& effort = {});
+Slope<R> fit_l2(const R& m, const FitShape<R>& shape, const Effort& effort = {});
+template <typename R>
+Slope<R> fit_l1(const R& m, const FitShape<R>& shape, const Effort& effort = {});
 
 /// An interval by its versines and the lobe on it; turned round if need be.
 template <typename T>

@@ -2,7 +2,7 @@
 
 #include "casegen/reference/integral/cell.h"
 #include "casegen/reference/integral/cell_interval.h"
-#include "casegen/reference/integral/lobe_fit.h"
+#include "casegen/reference/integral/values.h"
 #include "casegen/reference/integral/wave.h"
 
 #include <algorithm>
@@ -101,18 +101,11 @@ Truth cell_truth(const Arguments& arguments, const Combine& combine, const Integ
     return truth_of(arguments, value, near.value, near.magnitude);
 }
 
-/// sin(φ + phase) as a combination of cosφ and sinφ.
-template <typename T>
-std::array<T, 3> axis_of_phase(const T& phase) {
-    T s, c;
-    sin_cos(phase, s, c);
-    return {s, c, T(0)};
-}
-
 template <typename T>
 T sine_of(const Direction<T>& to, const T& phase) {
-    const std::array<T, 3> axis = axis_of_phase(phase);
-    return axis[0] * to.cos_phi + axis[1] * to.sin_phi;
+    T s, c;
+    sin_cos(phase, s, c);
+    return to.sin_phi * c + to.cos_phi * s;
 }
 
 template <typename T>
@@ -124,8 +117,7 @@ Truth phase_and_cosine(const Arguments& arguments) {
     return cell_truth<6>(
         arguments,
         [](const Moments<Real>& m, const Real* x) {
-            const auto axis = axis_of_phase(x[0]);
-            return Real(axis[0] * m[sin2_cos_cos_phi] + axis[1] * m[sin2_cos_sin_phi]);
+            return second_moment(m, axis_of_phase(x[0]).data(), polar_axis<Real>().data());
         },
         [](const auto& to, const auto* x) {
             return sine_of(to, x[0]) * to.cos_theta * to.sin_theta * to.sin_theta;
@@ -134,54 +126,16 @@ Truth phase_and_cosine(const Arguments& arguments) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-enum class Fit { r0, r1, alpha, beta, l2, l1 };
-
-/// What the fit is made of, for any type of number.
-template <typename T>
-struct FitParts {
-    T r0, r1, beta, x_m;
-};
-template <typename T, typename Apply>
-FitParts<T> fit_parts(const Lobe<T>& lobe, const FitShape<Wide>& shape, const Apply& apply) {
-    const T peak = lobe.peak();
-    return {peak * apply(shape.mean), peak * apply(shape.tilt), peak * lobe.lambda * apply(shape.tilt_by_m),
-            T(1) - lobe.versine_of_middle()};
-}
-
-template <Fit what, typename T, typename Apply>
-T fit_result(const Lobe<T>& lobe, const FitShape<Wide>& shape, const FitError<Wide>& error,
-             const Apply& apply) {
-    using std::sqrt;
-    const FitParts<T> parts = fit_parts(lobe, shape, apply);
-    switch (what) {
-    case Fit::r0:
-        return parts.r0;
-    case Fit::r1:
-        return parts.r1;
-    case Fit::alpha:
-        return parts.r0 - parts.beta * parts.x_m;
-    case Fit::beta:
-        return parts.beta;
-    case Fit::l2:
-        return lobe.peak() * sqrt(lobe.q()) * apply(error.l2);
-    case Fit::l1:
-        break;
-    }
-    return lobe.peak() * lobe.q() * apply(error.l1);
-}
-
 /// Of versines, or of the interval's ends.
 template <Fit what>
 Truth fit_truth(const Arguments& arguments, bool of_ends) {
     if (!all_finite<4>(arguments)) return no_truth();
-    const auto& x = arguments.numbers;
-    const Wide va = of_ends ? 1 - Wide(x[0]) : Wide(x[0]), vb = of_ends ? 1 - Wide(x[1]) : Wide(x[1]);
-    const Lobe<Wide> lobe(va, vb, Wide(x[2]), Wide(x[3]));
+    const Lobe<Wide> lobe = exact_lobe(arguments.numbers.data(), of_ends);
     const Wide m = lobe.m();
     if (!(m >= 0)) return no_truth(); // a lobe that grows away from its axis
     const FitShape<Wide> shape = fit_shape(m);
-    const FitError<Wide> error = what == Fit::l2 || what == Fit::l1 ? fit_error(m, shape) : FitError<Wide>{};
-    const Wide value = fit_result<what>(lobe, shape, error, [](const Slope<Wide>& s) { return s.value; });
+    const Slope<Wide> error = fit_error(what, m, shape);
+    const Wide value = fit_result(what, lobe, shape, error, [](const Slope<Wide>& f) { return f.value; });
 
     using D = Dual<4>;
     auto in = duals<4>(arguments);
@@ -190,10 +144,10 @@ Truth fit_truth(const Arguments& arguments, bool of_ends) {
         in[1] = D(1) - in[1];
     }
     const Lobe<D> near(in[0], in[1], in[2], in[3]);
-    const auto chained = [&](const Slope<Wide>& s) {
-        return chain(near.m(), value_of(s.value), value_of(s.slope));
+    const auto chained = [&](const Slope<Wide>& f) {
+        return chain(near.m(), value_of(f.value), value_of(f.slope));
     };
-    const D derivatives = fit_result<what>(near, shape, error, chained);
+    const D derivatives = fit_result(what, near, shape, error, chained);
     double scale = std::abs(value_of(value));
     if (what == Fit::alpha) {
         const FitParts<D> parts = fit_parts(near, shape, chained);
@@ -256,36 +210,30 @@ Truth radiance(const Arguments& arguments) {
     const auto& numbers = arguments.numbers;
     const CellKey key{false, {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]}};
     const Moments<Real> m = kept_moments(key);
-    const auto x = exact<count>(arguments);
-    const Real length = sqrt(x[8] * x[8] + x[9] * x[9] + x[10] * x[10]);
-    const Lobe<Wide> lobe{Wide(numbers[13]), Wide(numbers[14]), Wide(numbers[11]), Wide(numbers[12])};
-    if (isnan(m[0]) || length == 0 || !(lobe.m() >= 0)) return no_truth();
+    const Lobe<Wide> lobe = radiance_lobe(numbers);
+    if (isnan(m[0]) || !(lobe.m() >= 0)) return no_truth();
     const FitShape<Wide> shape = fit_shape(lobe.m());
-    const auto parts = fit_parts(lobe, shape, [](const Slope<Wide>& s) { return s.value; });
-    const Real axis[3] = {x[8] / length, x[9] / length, x[10] / length};
-    const Real first = first_moment(m, x.data() + 5);
-    const Real value = Real(parts.r0) * first +
-                       Real(parts.beta) * (second_moment(m, x.data() + 5, axis) - Real(parts.x_m) * first);
+    const Real value = radiance_value(numbers, m, lobe, shape);
 
     using D = Dual<count>;
     const auto d = duals<count>(arguments);
     const Cell<D> cell{d[0], d[1], d[2], d[3], d[4]};
     const Lobe<D> near(d[13], d[14], d[11], d[12]);
-    const FitParts<D> near_parts = fit_parts(near, shape, [&](const Slope<Wide>& s) {
-        return chain(near.m(), value_of(s.value), value_of(s.slope));
+    const FitParts<D> near_parts = fit_parts(near, shape, [&](const Slope<Wide>& f) {
+        return chain(near.m(), value_of(f.value), value_of(f.slope));
     });
-    const D near_length = sqrt(d[8] * d[8] + d[9] * d[9] + d[10] * d[10]);
-    const D near_axis[3] = {d[8] / near_length, d[9] / near_length, d[10] / near_length};
-    const D of_middle = near.versine_of_middle();
+    // p·ω - x_m as a difference of versines, which keeps its digits where the cell is small: 1 - p·ω is |ω -
+    // p|²/2 and what p is short of length 1.
+    const D *normal = d.data() + 5, *axis = d.data() + 8;
+    const D of_middle =
+        near.versine_of_middle() - 0.5 * (D(1) - axis[0] * axis[0] - axis[1] * axis[1] - axis[2] * axis[2]);
     const Integral<D> sum = integrate_over(
         cell,
         [&](const Direction<D>& to) {
-            // p̂·ω - x_m as a difference of versines, which keeps its digits where the cell is small.
-            const D across = to.sin_theta * to.cos_phi - near_axis[0],
-                    along = to.sin_theta * to.sin_phi - near_axis[1], up = to.cos_theta - near_axis[2];
+            const D across = to.sin_theta * to.cos_phi - axis[0], along = to.sin_theta * to.sin_phi - axis[1],
+                    up = to.cos_theta - axis[2];
             const D versine = 0.5 * (across * across + along * along + up * up);
-            const D lit = near_parts.r0 + near_parts.beta * (of_middle - versine);
-            return lit * dot(to, d.data() + 5) * to.sin_theta;
+            return (near_parts.r0 + near_parts.beta * (of_middle - versine)) * dot(to, normal) * to.sin_theta;
         },
         rough);
     return truth_of(arguments, value, sum.value, sum.magnitude);
