@@ -21,8 +21,8 @@ const Rule<R>& gauss_rule(int n);
 /// What a quadrature is to reach, relative to the integral of the integrand's absolute value. `extra` nodes
 /// per panel show whether it does.
 struct Effort {
-    double digits = 33;
-    int extra = 2;
+    double digits = 30;
+    int extra = 1;
 };
 
 /// Nodes for e^{iωx} on [-1, 1]. The rule's error is at most 2^{2n+1} (n!)⁴ / ((2n+1) (2n)!³) · ω^{2n}; below
