@@ -291,9 +291,11 @@ TEST(integral_agreement, radiance) {
         const closed::Boundary c{phi - half, phi + half, theta0, k, theta0 + (first + last) / 2 - k * phi};
         Digits va = x[13], vb = x[14];
         if (va < vb) std::swap(va, vb);
-        const Digits want =
-            closed::radiance(c, vector_at<Digits>(arguments, 5), vector_at<Digits>(arguments, 8),
-                             closed::fit(1 - va, 1 - vb, x[11], x[12]));
+        closed::Vector axis = vector_at<Digits>(arguments, 8);
+        const Digits length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+        for (Digits& component : axis) component /= length;
+        const Digits want = closed::radiance(c, vector_at<Digits>(arguments, 5), axis,
+                                             closed::fit(1 - va, 1 - vb, x[11], x[12]));
         const auto value_by = [&](const Effort& effort) {
             const ri::Lobe<Wide> lobe = ri::radiance_lobe(x);
             return ri::radiance_value(x, ri::moments({x[0], x[1], x[2], x[3], x[4]}, effort), lobe,

@@ -211,7 +211,8 @@ Truth radiance(const Arguments& arguments) {
     const CellKey key{false, {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]}};
     const Moments<Real> m = kept_moments(key);
     const Lobe<Wide> lobe = radiance_lobe(numbers);
-    if (isnan(m[0]) || !(lobe.m() >= 0)) return no_truth();
+    const bool has_axis = numbers[8] != 0 || numbers[9] != 0 || numbers[10] != 0;
+    if (isnan(m[0]) || !has_axis || !(lobe.m() >= 0)) return no_truth();
     const FitShape<Wide> shape = fit_shape(lobe.m());
     const Real value = radiance_value(numbers, m, lobe, shape);
 
@@ -222,11 +223,13 @@ Truth radiance(const Arguments& arguments) {
     const FitParts<D> near_parts = fit_parts(near, shape, [&](const Slope<Wide>& f) {
         return chain(near.m(), value_of(f.value), value_of(f.slope));
     });
-    // p·ω - x_m as a difference of versines, which keeps its digits where the cell is small: 1 - p·ω is |ω -
-    // p|²/2 and what p is short of length 1.
-    const D *normal = d.data() + 5, *axis = d.data() + 8;
-    const D of_middle =
-        near.versine_of_middle() - 0.5 * (D(1) - axis[0] * axis[0] - axis[1] * axis[1] - axis[2] * axis[2]);
+    // p̂·ω - x_m as a difference of versines, which keeps its digits where the cell is small: 1 - p̂·ω is
+    // |ω - p̂|²/2.
+    using std::sqrt;
+    const D length = sqrt(d[8] * d[8] + d[9] * d[9] + d[10] * d[10]);
+    const D* normal = d.data() + 5;
+    const D axis[3] = {d[8] / length, d[9] / length, d[10] / length};
+    const D of_middle = near.versine_of_middle();
     const Integral<D> sum = integrate_over(
         cell,
         [&](const Direction<D>& to) {

@@ -26,6 +26,8 @@ T fit_result(Fit what, const Lobe<T>& lobe, const FitShape<Wide>& shape, const S
              const Apply& apply) {
     using std::sqrt;
     const FitParts<T> parts = fit_parts(lobe, shape, apply);
+    // An error has no sign, though the lobe has.
+    const T height = value_of(lobe.mu) < 0 ? T(-lobe.peak()) : T(lobe.peak());
     switch (what) {
     case Fit::r0:
         return parts.r0;
@@ -36,11 +38,11 @@ T fit_result(Fit what, const Lobe<T>& lobe, const FitShape<Wide>& shape, const S
     case Fit::beta:
         return parts.beta;
     case Fit::l2:
-        return lobe.peak() * sqrt(lobe.q()) * apply(error);
+        return height * sqrt(lobe.q()) * apply(error);
     case Fit::l1:
         break;
     }
-    return lobe.peak() * lobe.q() * apply(error);
+    return height * lobe.q() * apply(error);
 }
 
 inline Slope<Wide> fit_error(Fit what, const Wide& m, const FitShape<Wide>& shape,
@@ -72,7 +74,8 @@ template <typename Numbers>
 Real radiance_value(const Numbers& x, const Moments<Real>& m, const Lobe<Wide>& lobe,
                     const FitShape<Wide>& shape) {
     const auto parts = fit_parts(lobe, shape, [](const Slope<Wide>& f) { return f.value; });
-    const Real n[3] = {x[5], x[6], x[7]}, p[3] = {x[8], x[9], x[10]};
+    const Real length = sqrt(Real(x[8]) * x[8] + Real(x[9]) * x[9] + Real(x[10]) * x[10]);
+    const Real n[3] = {x[5], x[6], x[7]}, p[3] = {x[8] / length, x[9] / length, x[10] / length};
     const Real first = first_moment(m, n);
     return Real(parts.r0) * first + Real(parts.beta) * (second_moment(m, n, p) - Real(parts.x_m) * first);
 }
