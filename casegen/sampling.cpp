@@ -92,7 +92,7 @@ EdgePool make_edge_pool(std::uint64_t seed) {
 }
 
 Sampler::Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePool> pool,
-                 const std::filesystem::path& pins)
+                 const std::filesystem::path& pins, const std::filesystem::path& worst)
     : case_(c), seed_(seed), pool_(std::move(pool)) {
     for (std::size_t i = 0; i < c.parameters.size(); ++i) {
         const Parameter& parameter = c.parameters[i];
@@ -103,8 +103,9 @@ Sampler::Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePo
         const EdgePool::Entry& entry = pool_->entries[i];
         if (applies(case_, entry.edge())) chosen_.push_back(i);
     }
-    if (!pins.empty() && std::filesystem::exists(pins)) {
-        for (CsvInput& row : read_inputs(c, pins)) {
+    for (const std::filesystem::path& file : {worst, pins}) {
+        if (file.empty() || !std::filesystem::exists(file)) continue;
+        for (CsvInput& row : read_inputs(c, file)) {
             pinned_.push_back(std::move(row.words));
             if (c.reference.takes_mask) pinned_masks_.push_back(std::move(row.mask));
         }
@@ -143,7 +144,7 @@ void Sampler::make_hostile() {
             for (int repeat = 0; repeat < 8; ++repeat) {
                 std::vector<std::uint32_t> words(values.size());
                 if (case_.generator)
-                    draw_generated(random, {}, words);
+                    draw_generated(case_, random, {}, words);
                 else
                     draw_abstract(random, words);
                 words[component] = value;
@@ -165,26 +166,29 @@ Sampler::Sample Sampler::draw(std::size_t index) const {
 }
 
 const Mask* Sampler::draw(std::size_t index, std::span<std::uint32_t> words) const {
-    // Samples of one generator are the same whatever a kernel's own pins and hostile values are.
-    const std::size_t stream = case_.generator ? index - first_stiff() : index;
+    if (index < pinned_.size()) {
+        std::ranges::copy(pinned_[index], words.begin());
+        return case_.reference.takes_mask ? &pinned_masks_[index] : nullptr;
+    }
+    // Samples are the same whatever rows stand before them, and those of one generator whatever a kernel's
+    // own hostile values are.
+    const std::size_t stream = index - (case_.generator ? first_stiff() : pinned_.size());
     Random random(seed_, stream);
     std::uint32_t mask = 0;
-    if (const std::optional<Place> near = place(index)) {
-        draw_generated(random, near, words);
+    if (const std::optional<Place> stiff = place(index)) {
+        draw_generated(case_, random, stiff, words);
     } else if (index < fixed_count()) {
-        const bool pinned = index < pinned_.size();
-        std::ranges::copy(pinned ? pinned_[index] : hostile_[index - pinned_.size()], words.begin());
-        if (pinned) return case_.reference.takes_mask ? &pinned_masks_[index] : nullptr;
+        std::ranges::copy(hostile_[index - pinned_.size()], words.begin());
         mask = random.below(static_cast<std::uint32_t>(pool_->masks.size()));
     } else if (case_.generator && stream % 4 != 3) {
         // Of four: two ordinary, one near a locus, and, below, one with components that know nothing of each
         // other.
+        const auto loci = static_cast<std::uint32_t>(case_.generator->loci.size());
         std::optional<Place> near;
-        if (stream % 4 == 2)
-            near = Place{random.below(static_cast<std::uint32_t>(case_.generator->loci.size())),
-                         random.between(0, locus_distances - 1)};
-        draw_generated(random, near, words);
-    } else if (index % 2 == 1 && !chosen_.empty()) {
+        if (stream % 4 == 2 && loci > 0)
+            near = Place{random.below(loci), random.between(0, locus_distances - 1)};
+        draw_generated(case_, random, near, words);
+    } else if (stream % 2 == 1 && !chosen_.empty()) {
         mask = draw_from_mask(random, words);
     } else {
         mask = draw_abstract(random, words);
@@ -192,19 +196,19 @@ const Mask* Sampler::draw(std::size_t index, std::span<std::uint32_t> words) con
     return case_.reference.takes_mask ? &pool_->masks[mask] : nullptr;
 }
 
-std::optional<Sampler::Place> Sampler::place(std::size_t index) const {
+std::optional<Place> Sampler::place(std::size_t index) const {
     if (index < first_stiff() || index >= fixed_count()) return {};
     const std::size_t stiff = (index - first_stiff()) / stiff_repeats;
     return Place{stiff / locus_distances, static_cast<int>(stiff % locus_distances)};
 }
 
-void Sampler::draw_generated(Random& random, const std::optional<Place>& place,
-                             std::span<std::uint32_t> words) const {
+void draw_generated(const Case& c, Random& random, const std::optional<Place>& place,
+                    std::span<std::uint32_t> words) {
     std::array<double, 16> numbers{};
     const std::span used = std::span(numbers).first(words.size());
-    case_.generator->draw(random, used);
-    if (place) case_.generator->loci[place->locus].place(random, locus_distance(place->step), used);
-    for (std::size_t i = 0; i < words.size(); ++i) words[i] = narrow(case_.reference.words[i], used[i]);
+    c.generator->draw(random, used);
+    if (place) c.generator->loci[place->locus].place(random, locus_distance(place->step), used);
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = narrow(c.reference.words[i], used[i]);
 }
 
 void Sampler::draw_slot(Random& random, const Slot& slot, std::span<std::uint32_t> words) const {

@@ -1,6 +1,6 @@
-// The inputs that a kernel is run on: pins, hostile values, stiff ones (on and near every locus of its
-// generator), then random ones. Sample i of a seed is the same bits whatever else is drawn, on any machine
-// and number of threads.
+// The inputs that a kernel is run on: the worst that were ever found, pins, hostile values, stiff ones (on
+// and near every locus of its generator), then random ones. Sample i of a seed is the same bits whatever else
+// is drawn, on any machine and number of threads; worst ones and pins move the others back and change none.
 #pragma once
 
 #include "casegen/kernel_case.h"
@@ -35,13 +35,23 @@ struct EdgePool {
 };
 EdgePool make_edge_pool(std::uint64_t seed);
 
+/// A place near a locus of a generator: the locus's number and the step of its distance.
+struct Place {
+    std::size_t locus = 0;
+    int step = 0;
+};
+
+/// One input of the case's generator, at `place` if there is one, as words.
+void draw_generated(const Case& c, Random& random, const std::optional<Place>& place,
+                    std::span<std::uint32_t> words);
+
 /// One case's samples, drawn on demand by index.
 class Sampler {
 public:
-    /// `pins`: a CSV file with the case's columns whose rows come first, or a path where no file is. Throws
-    /// Error naming file, row and column if it is malformed.
+    /// `worst`, `pins`: CSV files with the case's columns whose rows come first, or paths where no file is.
+    /// Throws Error naming file, row and column if one is malformed.
     Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePool> pool,
-            const std::filesystem::path& pins = {});
+            const std::filesystem::path& pins = {}, const std::filesystem::path& worst = {});
 
     struct Sample {
         std::vector<std::uint32_t> words; ///< word_count(case) of them
@@ -51,7 +61,7 @@ public:
     /// The same without an allocation: writes the words, returns the mask (null if the kernel takes none).
     const Mask* draw(std::size_t index, std::span<std::uint32_t> words) const;
 
-    /// Pins, hostile and stiff values: every run begins with all of them.
+    /// Worst ones, pins, hostile and stiff values: every run begins with all of them.
     std::size_t fixed_count() const { return first_stiff() + stiff_count(); }
     /// The first of the samples that lie on or near a locus, and how many there are: for every locus, every
     /// distance, `stiff_repeats` each.
@@ -61,11 +71,11 @@ public:
     }
     static constexpr std::size_t stiff_repeats = 6;
 
-    /// Where sample `index` lies: a locus's number and the step of its distance. Nothing if it is not stiff.
-    struct Place {
-        std::size_t locus = 0;
-        int step = 0;
-    };
+    /// How many of the first samples are read from files: they are the worst ones, then the pins.
+    std::size_t pinned_count() const { return pinned_.size(); }
+
+    using Place = gnomon::Place;
+    /// Where sample `index` lies. Nothing if it is not stiff.
     std::optional<Place> place(std::size_t index) const;
 
     std::uint64_t seed() const { return seed_; }
@@ -81,8 +91,6 @@ private:
     void draw_slot(Random& random, const Slot& slot, std::span<std::uint32_t> words) const;
     std::uint32_t draw_abstract(Random& random, std::span<std::uint32_t> words) const;
     std::uint32_t draw_from_mask(Random& random, std::span<std::uint32_t> words) const;
-    void draw_generated(Random& random, const std::optional<Place>& place,
-                        std::span<std::uint32_t> words) const;
     void make_hostile();
 
     const Case& case_;
@@ -91,7 +99,7 @@ private:
     std::vector<Slot> slots_;
     std::vector<std::uint32_t> chosen_; ///< entries of the pool that the case applies to
     std::vector<std::vector<std::uint32_t>> hostile_, pinned_;
-    std::vector<Mask> pinned_masks_; ///< one per pin if the case takes a mask
+    std::vector<Mask> pinned_masks_; ///< one for each if the case takes a mask
 };
 
 /// The seed of a kernel that was given none: its generator's or its own name's hash.

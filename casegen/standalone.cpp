@@ -87,8 +87,26 @@ glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Reading
     return sources;
 }
 
-std::string standalone_source(const Case& c) {
-    std::string arguments, writes;
+namespace {
+
+/// What stands before a main() that calls the kernel. The prototype first: GLSL converts arguments silently,
+/// so that another signature would otherwise do.
+std::string preamble(const Case& c, const char* constants, bool with_kernel = true) {
+    const std::string kernel = fmt::format("{};\n#include \"{}.glsl\"", signature(c), c.name);
+    return fmt::format(R"(layout(local_size_x = 64) in;
+{}
+layout(std430, binding = 0) readonly buffer Inputs {{ uvec4 inputs[]; }};
+layout(std430, binding = 1) writeonly buffer Results {{ uint results[]; }};
+layout(push_constant) uniform Constants {{ {} }};
+{}
+)",
+                       with_kernel ? kernel : "", constants,
+                       with_kernel && c.reference.takes_mask ? mask_hook : "");
+}
+
+/// Sets up the mask of `record`, if there is one, and calls the kernel: `result`.
+std::string call(const Case& c) {
+    std::string arguments, text;
     std::size_t word = 0;
     for (std::size_t i = 0; i < c.parameters.size(); ++i) {
         const Type type = c.reference.parameters[i];
@@ -97,38 +115,61 @@ std::string standalone_source(const Case& c) {
             components.push_back(from_word(type.scalar, word_expression(word++)));
         arguments += fmt::format("{}{}({})", i > 0 ? ", " : "", glsl_name(type), fmt::join(components, ", "));
     }
-    std::string mask_setup;
     if (c.reference.takes_mask)
-        mask_setup =
-            fmt::format("    mask_first = {};\n    mask_size = ivec2({}, {});\n    mask_outside = {};\n",
-                        word_expression(word), word_expression(word + 1), word_expression(word + 2),
-                        word_expression(word + 3));
-    const Type result = c.reference.result;
-    for (int k = 0; k < result.components; ++k) {
-        const std::string value = result.components == 1 ? "result" : fmt::format("result.{}", "xyzw"[k]);
-        writes += fmt::format("    results[{}u + {}u * index + {}u] = {};\n", guard_words, result.components,
-                              k, to_word(result.scalar, value));
-    }
-    // The prototype first: GLSL converts arguments silently, so that another signature would otherwise do.
-    return fmt::format(R"(layout(local_size_x = 64) in;
-{prototype};
-#include "{file}.glsl"
-layout(std430, binding = 0) readonly buffer Inputs {{ uvec4 inputs[]; }};
-layout(std430, binding = 1) writeonly buffer Results {{ uint results[]; }};
-layout(push_constant) uniform Constants {{ uint count; }};
-{hook}
-void main() {{
+        text = fmt::format("    mask_first = {};\n    mask_size = ivec2({}, {});\n    mask_outside = {};\n",
+                           word_expression(word), word_expression(word + 1), word_expression(word + 2),
+                           word_expression(word + 3));
+    return text + fmt::format("    {} result = {}({});\n", glsl_name(c.reference.result), function_name(c),
+                              arguments);
+}
+
+/// The words of `result`.
+std::vector<std::string> result_words(const Case& c) {
+    const Type type = c.reference.result;
+    std::vector<std::string> words;
+    for (int k = 0; k < type.components; ++k)
+        words.push_back(
+            to_word(type.scalar, type.components == 1 ? "result" : fmt::format("result.{}", "xyzw"[k])));
+    return words;
+}
+
+} // namespace
+
+std::string standalone_source(const Case& c) {
+    std::string writes;
+    const std::vector<std::string> words = result_words(c);
+    for (std::size_t k = 0; k < words.size(); ++k)
+        writes += fmt::format("    results[{}u + {}u * index + {}u] = {};\n", guard_words, words.size(), k,
+                              words[k]);
+    return preamble(c, "uint count;") + fmt::format(R"(void main() {{
     uint index = gl_GlobalInvocationID.x;
     if (index >= count) return;
-    uint record = index * {stride}u;
-{mask}    {type} result = {function}({arguments});
-{writes}}}
+    uint record = index * {}u;
+{}{}}}
 )",
-                       fmt::arg("prototype", signature(c)), fmt::arg("file", c.name),
-                       fmt::arg("hook", c.reference.takes_mask ? mask_hook : ""),
-                       fmt::arg("stride", record_words(c) / 4), fmt::arg("mask", mask_setup),
-                       fmt::arg("type", glsl_name(result)), fmt::arg("function", function_name(c)),
-                       fmt::arg("arguments", arguments), fmt::arg("writes", writes));
+                                                    record_words(c) / 4, call(c), writes);
+}
+
+std::string repeated_source(const Case& c, Repeated what) {
+    std::vector<std::string> words;
+    if (what == Repeated::calls)
+        words = result_words(c);
+    else
+        for (std::size_t word = 0; word < word_count(c); ++word) words.push_back(word_expression(word));
+    return preamble(c, "uint count, records, evaluations;", what == Repeated::calls) +
+           fmt::format(R"(void main() {{
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= count) return;
+    uint sum = 0u;
+    for (uint i = 0u; i < evaluations; ++i) {{
+    uint record = (index + i * {}u) % records * {}u;
+{}    sum += {};
+    }}
+    results[index] = sum;
+}}
+)",
+                       repeated_stride, record_words(c) / 4, what == Repeated::calls ? call(c) : "",
+                       fmt::join(words, " + "));
 }
 
 glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources) {

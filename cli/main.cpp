@@ -57,6 +57,7 @@ int run(int argc, char** argv) {
     cli::add_render(app, common);
     cli::add_census(app, common, exit_code);
     cli::add_atlas(app, common, exit_code);
+    cli::add_bench(app, common);
     cli::add_demo(app, common, exit_code);
     cli::add_devices(app, common);
 

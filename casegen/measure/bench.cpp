@@ -1,0 +1,86 @@
+#include "casegen/measure/bench.h"
+
+#include "casegen/check.h"
+#include "runtime/error.h"
+
+namespace gnomon::measure {
+namespace {
+
+std::vector<std::uint32_t> results_of(gpu::Device& device, const Variant& variant, const Inputs& inputs,
+                                      const std::filesystem::path& kernels) {
+    const Case& c = *variant.kernel;
+    Outputs outputs = evaluate(device, sources_of(kernels, variant.trigonometry), c, inputs.records);
+    if (const std::string complaint = outputs.complaint(); !complaint.empty())
+        throw Error("{}: {}; gnomon check {} tells more", c.name, complaint, c.name);
+    return std::move(outputs.words);
+}
+
+GroupResult measure_group(gpu::Device& device, const Group& group, const BenchOptions& options) {
+    GroupResult result;
+    result.group = group;
+    const Case& c = result.first();
+    result.unit = unit_of(c);
+    result.has_limit = static_cast<bool>(c.reference.truth);
+    result.seed = options.seed.value_or(default_seed(c));
+    const Inputs inputs = draw_inputs(c, {options.samples, options.repeats, result.seed, options.jobs});
+    result.classes = inputs.classes;
+    result.class_counts.assign(inputs.classes.size(), 0);
+    for (const std::size_t of_class : inputs.class_of) ++result.class_counts[of_class];
+    result.inputs = inputs.records.size();
+    result.left_out = inputs.left_out;
+
+    for (const Variant& variant : group.variants) {
+        const std::vector<std::uint32_t> words = results_of(device, variant, inputs, options.kernels);
+        result.accuracy.push_back(summarise(*variant.kernel, inputs, errors(*variant.kernel, inputs, words)));
+    }
+    if (options.rounds == 0) return result;
+    result.timings = time_variants(device, group, inputs, {options.kernels, options.rounds, result.seed});
+    for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
+        std::vector<Point> points;
+        for (std::size_t i = 0; i < group.variants.size(); ++i)
+            points.push_back({result.timings.back().variants[i].median,
+                              error_at(result.accuracy[i].all.of_scale, ranks[rank])});
+        result.dominated[rank] = dominated_by(points, result.timings.back().noise());
+    }
+    return result;
+}
+
+} // namespace
+
+const char* to_string(Rank rank) {
+    switch (rank) {
+    case Rank::median:
+        return "median";
+    case Rank::p99:
+        return "99 %";
+    case Rank::most:
+        break;
+    }
+    return "max";
+}
+
+double error_at(const Quantiles& quantiles, Rank rank) {
+    switch (rank) {
+    case Rank::median:
+        return quantiles.median;
+    case Rank::p99:
+        return quantiles.p99;
+    case Rank::most:
+        break;
+    }
+    return quantiles.most;
+}
+
+Bench bench(std::span<const Group> groups, const BenchOptions& options,
+            const std::function<void(std::size_t)>& done) {
+    require_kernels(options.kernels);
+    gpu::Device device(options.device);
+    Bench all{machine(device), options, {}};
+    for (const Group& group : groups) {
+        all.groups.push_back(measure_group(device, group, options));
+        if (done) done(all.groups.size());
+    }
+    return all;
+}
+
+} // namespace gnomon::measure
