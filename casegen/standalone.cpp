@@ -156,13 +156,13 @@ std::string repeated_source(const Case& c, Repeated what) {
         words = result_words(c);
     else
         for (std::size_t word = 0; word < word_count(c); ++word) words.push_back(word_expression(word));
-    return preamble(c, "uint count, records, evaluations;", what == Repeated::calls) +
+    return preamble(c, "uint count, last, evaluations;", what == Repeated::calls) +
            fmt::format(R"(void main() {{
     uint index = gl_GlobalInvocationID.x;
     if (index >= count) return;
     uint sum = 0u;
     for (uint i = 0u; i < evaluations; ++i) {{
-    uint record = (index + i * {}u) % records * {}u;
+    uint record = ((index + i * {}u) & last) * {}u;
 {}    sum += {};
     }}
     results[index] = sum;

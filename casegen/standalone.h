@@ -25,12 +25,12 @@ glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Reading
 std::string standalone_source(const Case& c);
 
 /// To time it: every thread of `count` calls the kernel `evaluations` times, on a record `repeated_stride`
-/// further each time (of `records`, in a circle), and writes the sum of the results' words, so that no call
-/// can be left out or moved out of the loop. Or the same without the calls: the records' words summed up,
-/// what reading them costs. Push constants: count, records, evaluations.
+/// further each time (in a circle of a power of two of them), and writes the sum of the results' words, so
+/// that no call can be left out or moved out of the loop. Or the same without the calls: the records' words
+/// summed up, what reading them costs. Push constants: count, the last record's number, evaluations.
 enum class Repeated { calls, reads };
 std::string repeated_source(const Case& c, Repeated what);
-constexpr std::uint32_t repeated_stride = 1031; ///< odd: coprime to any power of two
+constexpr std::uint32_t repeated_stride = 1031; ///< odd: every record has its turn
 
 /// What stands for that text in messages, and with it in the cache's key.
 inline constexpr const char* standalone_name = "<main>";

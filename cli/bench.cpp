@@ -1,10 +1,12 @@
 #include "casegen/measure/bench.h"
 
+#include "casegen/measure/report.h"
 #include "casegen/measure/tables.h"
 #include "cli/commands.h"
 #include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/report.h"
+#include "cli/view.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +17,7 @@ namespace {
 
 struct Options {
     std::string pattern, seed;
+    std::filesystem::path out;
     measure::BenchOptions bench;
     std::vector<std::string> trigonometry{"portable"};
     bool no_time = false, classes = false;
@@ -29,6 +32,7 @@ void run(const Options& options, const Common& common) {
     bench_options.device = common.device;
     bench_options.seed = parse_seed(options.seed);
     if (options.no_time) bench_options.rounds = 0;
+    if (!options.out.empty()) measure::require_report_folder(options.out);
     measure::Bench made;
     {
         Progress progress("measuring");
@@ -36,7 +40,10 @@ void run(const Options& options, const Common& common) {
                               [&](std::size_t done) { progress.show(done, groups.size()); });
     }
     require_no_validation_messages();
+    if (!options.out.empty()) measure::write_report(options.out, made);
     fmt::print("{}", measure::to_text(made, options.classes));
+    if (!options.out.empty())
+        fmt::print("Pictures and tables are in {}\n", (options.out / "report.html").string());
 }
 
 } // namespace

@@ -19,25 +19,26 @@ double scale_of(const Truth& truth) { return truth.scale < 0x1p-102 ? 0x1p-102 :
 double at_worst(double error) { return std::isfinite(error) ? error : infinity; }
 
 template <typename Chosen>
-Summary summary_of(std::span<const Error2> errors, Chosen&& chosen) {
+Summary summary_of(std::span<const Deviation> deviations, Chosen&& chosen) {
     std::vector<double> of_scale, of_limit;
-    for (std::size_t i = 0; i < errors.size(); ++i)
+    for (std::size_t i = 0; i < deviations.size(); ++i)
         if (chosen(i)) {
-            of_scale.push_back(errors[i].of_scale);
-            of_limit.push_back(errors[i].of_limit);
+            of_scale.push_back(deviations[i].of_scale);
+            of_limit.push_back(deviations[i].of_limit);
         }
     return {quantiles(std::move(of_scale)), quantiles(std::move(of_limit))};
 }
 
 } // namespace
 
-std::vector<Error2> errors(const Case& c, const Inputs& inputs, std::span<const std::uint32_t> results) {
+std::vector<Deviation> deviations(const Case& c, const Inputs& inputs,
+                                  std::span<const std::uint32_t> results) {
     const auto components = static_cast<std::size_t>(c.reference.result.components);
-    std::vector<Error2> all;
+    std::vector<Deviation> all;
     all.reserve(inputs.records.size());
     for (std::size_t i = 0; i < inputs.records.size(); ++i) {
         const std::span got = results.subspan(i * components, components);
-        Error2 error;
+        Deviation error;
         if (inputs.truths.empty()) {
             const Arguments with = arguments(c, inputs.records.input(i), inputs.records.mask(i));
             error.of_scale = at_worst(judge(c, with, got).error);
@@ -76,21 +77,21 @@ std::string unit_of(const Case& c) {
     return "absolute";
 }
 
-Accuracy summarise(const Case& c, const Inputs& inputs, std::span<const Error2> errors) {
+Accuracy summarise(const Case& c, const Inputs& inputs, std::span<const Deviation> deviations) {
     Accuracy accuracy;
-    accuracy.all = summary_of(errors, [](std::size_t) { return true; });
+    accuracy.all = summary_of(deviations, [](std::size_t) { return true; });
     for (std::size_t n = 0; n < inputs.classes.size(); ++n)
         accuracy.classes.push_back(
-            summary_of(errors, [&](std::size_t i) { return inputs.class_of[i] == n; }));
+            summary_of(deviations, [&](std::size_t i) { return inputs.class_of[i] == n; }));
     if (!c.generator) return accuracy;
     for (std::size_t n = 0; n < c.generator->loci.size(); ++n) {
         const auto of_locus = [&](std::size_t i) { return inputs.places[i] && inputs.places[i]->locus == n; };
         LocusSummary locus{
-            c.generator->loci[n].name, c.generator->loci[n].group, summary_of(errors, of_locus), {}};
+            c.generator->loci[n].name, c.generator->loci[n].group, summary_of(deviations, of_locus), {}};
         for (int nth = 1; nth <= locus_distances; ++nth) {
             const int step = nth % locus_distances; // 1 … 12, and 0, on it, last
             const auto of_step = [&](std::size_t i) { return of_locus(i) && inputs.places[i]->step == step; };
-            Step at{step, summary_of(errors, of_step), 0};
+            Step at{step, summary_of(deviations, of_step), 0};
             if (at.summary.of_scale.count == 0) continue;
             std::vector<double> limits;
             for (std::size_t i = 0; i < inputs.truths.size(); ++i)

@@ -10,14 +10,15 @@
 
 namespace gnomon::measure {
 
-/// The error of one result, both ways that it is told. Infinite where the result is not finite.
-struct Error2 {
+/// How far off one result is, both ways that it is told. Infinite where the result is not finite.
+struct Deviation {
     double of_scale = 0; ///< |got - want| / Truth::scale; without a truth, in the tolerance's own unit
     double of_limit = 0; ///< |got - want| in unit_of_error: what rounding the inputs does; 0 without a truth
 };
 
 /// Per record of `inputs`. `results` are the words that the device wrote.
-std::vector<Error2> errors(const Case& c, const Inputs& inputs, std::span<const std::uint32_t> results);
+std::vector<Deviation> deviations(const Case& c, const Inputs& inputs,
+                                  std::span<const std::uint32_t> results);
 
 /// unit_of_error / scale, the largest over the components: the error that no float32 kernel can promise to
 /// stay below.
@@ -49,6 +50,6 @@ struct Accuracy {
     std::vector<LocusSummary> loci; ///< as the generator's
 };
 
-Accuracy summarise(const Case& c, const Inputs& inputs, std::span<const Error2> errors);
+Accuracy summarise(const Case& c, const Inputs& inputs, std::span<const Deviation> deviations);
 
 } // namespace gnomon::measure

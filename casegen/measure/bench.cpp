@@ -31,7 +31,8 @@ GroupResult measure_group(gpu::Device& device, const Group& group, const BenchOp
 
     for (const Variant& variant : group.variants) {
         const std::vector<std::uint32_t> words = results_of(device, variant, inputs, options.kernels);
-        result.accuracy.push_back(summarise(*variant.kernel, inputs, errors(*variant.kernel, inputs, words)));
+        result.accuracy.push_back(
+            summarise(*variant.kernel, inputs, deviations(*variant.kernel, inputs, words)));
     }
     if (options.rounds == 0) return result;
     result.timings = time_variants(device, group, inputs, {options.kernels, options.rounds, result.seed});

@@ -25,7 +25,10 @@ std::string share(const Quantiles& q) {
     const double percent = 100 * q.non_finite_share();
     return percent < 0.1 ? "<0.1 %" : fmt::format("{:.1f} %", percent);
 }
-std::string time(double nanoseconds) { return fmt::format("{:.1f}", nanoseconds); }
+std::string time(double nanoseconds, const Timings& timings) {
+    const double least = timings.least_time();
+    return nanoseconds < least ? fmt::format("<{:.1f}", least) : fmt::format("{:.1f}", nanoseconds);
+}
 
 void add_error_header(std::vector<std::string>& header, bool has_limit) {
     for (const char* name : {"median", "90 %", "99 %", "max"}) header.emplace_back(name);
@@ -50,10 +53,10 @@ void add_time_header(std::vector<std::string>& header, const std::vector<Timings
 }
 
 void add_times(std::vector<std::string>& row, const std::vector<Timings>& timings, std::size_t variant) {
-    for (const Timings& t : timings) row.push_back(time(t.variants[variant].median));
+    for (const Timings& t : timings) row.push_back(time(t.variants[variant].median, t));
     if (timings.empty()) return;
     const Timing& last = timings.back().variants[variant];
-    row.push_back(fmt::format("{} to {}", time(last.least), time(last.most)));
+    row.push_back(fmt::format("{} to {}", time(last.least, timings.back()), time(last.most, timings.back())));
 }
 
 /// Columns on a terminal: characters, not bytes.
@@ -107,7 +110,8 @@ Table overall_table(const GroupResult& result) {
     add_error_header(table.header, result.has_limit);
     add_time_header(table.header, result.timings);
     const auto& dominated = result.dominated[1]; // by the 99 %
-    if (!dominated.empty()) table.header.emplace_back("dominated by");
+    const bool several = !dominated.empty() && result.group.variants.size() > 1;
+    if (several) table.header.emplace_back("dominated by");
     for (std::size_t i = 0; i < result.group.variants.size(); ++i) {
         std::vector<std::string> row{result.group.variants[i].label};
         add_errors(row, result.accuracy[i].all, result.has_limit);

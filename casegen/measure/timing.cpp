@@ -17,7 +17,7 @@ constexpr std::uint32_t least_threads = 1024, most_threads = 1 << 16;
 constexpr double wanted_nanoseconds = 8e6; // of one dispatch: long beside its start, short beside a hiccup
 
 struct Constants {
-    std::uint32_t count, records, evaluations;
+    std::uint32_t count, last, evaluations;
 };
 
 /// A kernel in a loop, and what it reads and writes.
@@ -29,11 +29,10 @@ struct Loop {
 
 struct Buffers {
     gpu::Buffer records, masks, results;
-    std::uint32_t count = 0;
 };
 
 double run_once(gpu::Device& device, Loop& loop, const Buffers& buffers) {
-    const Constants constants{loop.threads, buffers.count, evaluations_per_thread};
+    const Constants constants{loop.threads, timed_records - 1, evaluations_per_thread};
     const gpu::Dispatch dispatch{.threads = {loop.threads, 1, 1}, .constants = gpu::bytes_of(constants)};
     const double nanoseconds =
         loop.reads_masks
@@ -70,7 +69,7 @@ Buffers upload(gpu::Device& device, const Case& c, const Inputs& inputs,
         records.add(inputs.records.input(n), inputs.records.mask(n));
     }
     return {device.upload(records.words()), device.upload(records.masks()),
-            device.allocate(most_threads * sizeof(std::uint32_t)), timed_records};
+            device.allocate(most_threads * sizeof(std::uint32_t))};
 }
 
 double median_of(std::vector<double> values) {

@@ -30,6 +30,8 @@ struct Timings {
     double again = 1, again_spread = 0;
     /// What differs by no more than this fraction is no difference.
     double noise() const;
+    /// Times below this are lost in the noise of reading.
+    double least_time() const { return noise() * floor; }
 };
 
 struct TimingOptions {
@@ -42,7 +44,7 @@ struct TimingOptions {
 constexpr double least_noise = 0.03;
 
 constexpr std::uint32_t evaluations_per_thread = 64;
-constexpr std::uint32_t timed_records = 4096;
+constexpr std::uint32_t timed_records = 4096; ///< a power of two
 
 /// Of every variant on `timed_records` of the inputs that are ordinary, and, where there are others, on as
 /// many of all of them. `done` is called after each round.

@@ -1,0 +1,226 @@
+// Variants of one quantity that is known through and through.
+#include "casegen/measure/bench.h"
+
+#include "casegen/catalogue.h"
+#include "casegen/measure/charts.h"
+#include "casegen/measure/report.h"
+#include "casegen/measure/tables.h"
+#include "runtime/files.h"
+#include "tests/support/device.h"
+#include "tests/support/environment.h"
+#include "tests/support/sine_family.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <regex>
+
+namespace gnomon::measure {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using testing::error_of;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::SineFamily;
+
+BenchOptions options_for(const SineFamily& family) {
+    BenchOptions options;
+    options.kernels = family.kernels();
+    options.samples = 300;
+    options.repeats = 6;
+    options.rounds = 0;
+    options.device = testing::validated();
+    return options;
+}
+
+Bench measured(const SineFamily& family, const BenchOptions& options) {
+    return bench(group(family.pointers(), std::array{Trigonometry::portable}), options);
+}
+
+std::size_t count_of(const std::string& text, const std::string& what) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++count;
+    return count;
+}
+
+TEST(bench, groups_kernels_by_their_quantity) {
+    const SineFamily family;
+    std::vector<const Case*> cases = family.pointers();
+    cases.insert(cases.begin(), &find_case("smsr/case_09"));
+    Case other = family.cases()[0]; // of the same quantity, with other parameters
+    other.name = "wave/other";
+    other.reference.parameters.pop_back();
+    cases.push_back(&other);
+    const std::vector<Group> groups = group(cases, std::array{Trigonometry::portable});
+    ASSERT_EQ(groups.size(), 3u);
+    EXPECT_EQ(groups[0].name, "smsr/case_09");
+    EXPECT_EQ(groups[1].name, "wave/integral");
+    ASSERT_EQ(groups[1].variants.size(), 4u);
+    EXPECT_EQ(groups[1].variants[0].label, "printed");
+    EXPECT_EQ(groups[1].variants[3].label, "spiked");
+    EXPECT_EQ(groups[2].name, "wave/other");
+}
+
+TEST(bench, inputs_add_up_by_class_locus_and_distance) {
+    const SineFamily family;
+    const BenchOptions options = options_for(family);
+    const Bench made = measured(family, options);
+    ASSERT_EQ(made.groups.size(), 1u);
+    const GroupResult& result = made.groups[0];
+    EXPECT_THAT(result.classes, ElementsAre("ordinary", "k", "cell"));
+    EXPECT_EQ(result.left_out, 0u);
+    EXPECT_THAT(result.class_counts, ElementsAre(300u, 2 * 13 * 6u, 13 * 6u));
+    EXPECT_EQ(result.inputs, 300u + 3 * 13 * 6);
+    for (const Accuracy& accuracy : result.accuracy) {
+        EXPECT_EQ(accuracy.all.of_scale.count, result.inputs);
+        std::size_t classes = 0, loci = 0, non_finite = 0;
+        for (std::size_t n = 0; n < result.classes.size(); ++n) {
+            EXPECT_EQ(accuracy.classes[n].of_scale.count, result.class_counts[n]);
+            classes += accuracy.classes[n].of_scale.count;
+            non_finite += accuracy.classes[n].of_scale.non_finite;
+        }
+        EXPECT_EQ(classes, result.inputs);
+        EXPECT_EQ(non_finite, accuracy.all.of_scale.non_finite);
+        for (const LocusSummary& locus : accuracy.loci) {
+            std::size_t steps = 0;
+            for (const Step& step : locus.steps) steps += step.summary.of_scale.count;
+            EXPECT_EQ(steps, locus.all.of_scale.count);
+            ASSERT_EQ(locus.steps.size(), 13u);
+            EXPECT_EQ(locus.steps.front().step, 1);
+            EXPECT_EQ(locus.steps.back().step, 0);
+            loci += steps;
+        }
+        EXPECT_EQ(loci, result.inputs - 300);
+    }
+}
+
+TEST(bench, errors_are_those_that_the_formulas_have) {
+    const SineFamily family;
+    const GroupResult result = measured(family, options_for(family)).groups[0];
+    const Accuracy &printed = result.accuracy[0], &sinc = result.accuracy[1];
+    // On k = 0 the textbook's formula is 0/0; near it 1e-7/k.
+    const Step& on = printed.loci[0].steps.back();
+    EXPECT_EQ(on.summary.of_scale.non_finite, 6u);
+    EXPECT_EQ(on.summary.of_scale.median, HUGE_VAL);
+    EXPECT_EQ(sinc.loci[0].steps.back().summary.of_scale.non_finite, 0u);
+    const Step& far = printed.loci[1].steps[0];
+    EXPECT_LT(far.summary.of_scale.median, 1e-6);
+    EXPECT_LT(sinc.all.of_limit.p99, 16);
+    EXPECT_GT(far.limit, 0x1p-25);
+    EXPECT_LT(far.limit, 1e-5);
+    EXPECT_GT(printed.all.of_scale.non_finite_share(), 0);
+    EXPECT_EQ(sinc.all.of_scale.non_finite, 0u);
+}
+
+TEST(bench, everything_but_times_is_the_same_on_any_number_of_jobs) {
+    const SineFamily family;
+    BenchOptions options = options_for(family);
+    options.jobs = 1;
+    const std::string one = bench_json(measured(family, options));
+    options.jobs = 3;
+    EXPECT_EQ(bench_json(measured(family, options)), one);
+    options.seed = 5;
+    EXPECT_NE(bench_json(measured(family, options)), one);
+}
+
+TEST(bench, times_are_of_the_work_and_not_of_reading) {
+    const SineFamily family;
+    BenchOptions options = options_for(family);
+    options.rounds = 3;
+    const GroupResult result = measured(family, options).groups[0];
+    ASSERT_EQ(result.timings.size(), 2u);
+    EXPECT_EQ(result.timings[0].inputs, "ordinary");
+    for (const Timings& timings : result.timings) {
+        ASSERT_EQ(timings.variants.size(), 4u);
+        EXPECT_GT(timings.floor, 0);
+        for (const Timing& timing : timings.variants) {
+            EXPECT_LE(timing.least, timing.median);
+            EXPECT_LE(timing.median, timing.most);
+        }
+        // The same 16 times over costs more.
+        EXPECT_GT(timings.variants[2].median, 4 * timings.variants[1].median);
+    }
+    // Nobody needs sinc's work 16 times over, or the one with a spike in it.
+    const auto& dominated = result.dominated[2];
+    ASSERT_EQ(dominated.size(), 4u);
+    EXPECT_TRUE(dominated[2]);
+    EXPECT_FALSE(dominated[1]);
+}
+
+TEST(bench, the_distance_chart_has_every_variant_and_locus) {
+    const SineFamily family;
+    const GroupResult result = measured(family, options_for(family)).groups[0];
+    const std::string svg = distance_chart(result);
+    EXPECT_THAT(svg, AllOf(HasSubstr("k = 0"), HasSubstr("narrow"), HasSubstr("10⁻⁷"), HasSubstr(">on<")));
+    for (const Variant& variant : result.group.variants)
+        EXPECT_THAT(svg, HasSubstr(">" + variant.label + "<"));
+    EXPECT_FALSE(std::regex_search(svg, std::regex("[\", ]-?(inf|nan)[\", ]")));
+    // The median of sinc near k = 0: a bold line through 12 distances, in the first chart.
+    const std::regex line(
+        "<polyline points=\"([^\"]*)\" fill=\"none\" stroke=\"#cc6677\" stroke-width=\"1.9\"/>");
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(svg, match, line));
+    const std::string points = match[1];
+    EXPECT_EQ(count_of(points, ","), 12u);
+    // One such line for each of three loci, and a point "on" each.
+    EXPECT_EQ(count_of(svg, "stroke=\"#cc6677\" stroke-width=\"1.9\""), 3u);
+    EXPECT_EQ(count_of(svg, "<polyline"), count_of(svg, "fill=\"none\""));
+}
+
+TEST(bench, the_pareto_chart_has_a_point_per_variant_and_rank) {
+    const SineFamily family;
+    BenchOptions options = options_for(family);
+    EXPECT_EQ(pareto_chart(measured(family, options).groups[0]), "");
+    options.rounds = 1;
+    const GroupResult result = measured(family, options).groups[0];
+    const std::string svg = pareto_chart(result);
+    for (const Variant& variant : result.group.variants)
+        EXPECT_EQ(count_of(svg, "<title>" + variant.label + ": "), 3u);
+    std::size_t dominated = 0;
+    for (const auto& of_rank : result.dominated)
+        for (const auto& by : of_rank) dominated += by ? 1u : 0u;
+    EXPECT_EQ(count_of(svg, ", dominated by "), dominated);
+    EXPECT_EQ(count_of(svg, "fill=\"#fff\" stroke="), dominated);
+}
+
+TEST(bench, files_hold_what_was_found_and_json_has_no_infinity) {
+    const SineFamily family;
+    BenchOptions options = options_for(family);
+    options.rounds = 1;
+    const Bench made = measured(family, options);
+    const auto out = family.folder().path() / "out";
+    require_report_folder(out);
+    write_report(out, made);
+    for (const char* name : {"report.html", "wave_integral_distance.svg", "wave_integral_pareto.svg"})
+        EXPECT_TRUE(std::filesystem::is_regular_file(out / name)) << name;
+    const nlohmann::json json = nlohmann::json::parse(read_file(out / "bench.json"));
+    const nlohmann::json& printed = json["groups"][0]["variants"][0];
+    EXPECT_EQ(printed["kernel"], "wave/printed");
+    EXPECT_TRUE(printed["all"]["error"]["max"].is_null());
+    EXPECT_TRUE(printed["loci"][0]["distances"].back()["error"]["median"].is_null());
+    EXPECT_EQ(printed["loci"][0]["distances"].back()["distance"], 0);
+    EXPECT_TRUE(printed["nanoseconds"]["ordinary"]["median"].is_number());
+    EXPECT_THAT(read_file(out / "report.html"), Not(HasSubstr("http://www.example")));
+    if (const char* keep = std::getenv("HB_KEEP"))
+        std::filesystem::copy(out, keep,
+                              std::filesystem::copy_options::recursive |
+                                  std::filesystem::copy_options::overwrite_existing);
+    EXPECT_THAT(to_text(made, true), AllOf(HasSubstr("wave/integral, by class"), HasSubstr("inf")));
+    EXPECT_THAT(error_of([&] { require_report_folder(out / "bench.json"); }), HasSubstr("bench.json"));
+}
+
+TEST(bench, refuses_what_it_cannot_measure) {
+    const SineFamily family;
+    BenchOptions options = options_for(family);
+    options.kernels = "/nowhere";
+    EXPECT_THAT(error_of([&] { measured(family, options); }), HasSubstr("/nowhere"));
+    EXPECT_THAT(error_of([] { parse_trigonometry("fast"); }), HasSubstr("portable"));
+}
+
+} // namespace
+} // namespace gnomon::measure
