@@ -40,7 +40,10 @@ Records draw_records(const Case& c, const Sampler& sampler, std::size_t begin, s
 
 Prepared prepare(const Case& c, const CheckOptions& options, const glsl::Sources& sources,
                  const std::shared_ptr<const EdgePool>& pool, std::uint64_t seed) {
-    Sampler sampler(c, seed, pool, options.pins.empty() ? options.pins : options.pins / (c.name + ".csv"));
+    const auto file = [&](const std::filesystem::path& folder) {
+        return folder.empty() ? folder : folder / (c.name + ".csv");
+    };
+    Sampler sampler(c, seed, pool, file(options.pins), file(options.worst));
     const std::size_t samples = std::max(options.samples.value_or(default_samples(c)), sampler.fixed_count());
     Records first = draw_records(c, sampler, 0, std::min(samples, samples_per_dispatch));
     glsl::Spirv words = compile_standalone(c, sources); // last: glslang may still be building its tables

@@ -18,7 +18,9 @@ namespace gnomon {
 struct CheckOptions {
     std::filesystem::path kernels; ///< the folder that holds <name>.glsl
     std::filesystem::path pins;    ///< the folder that holds <name>.csv; may be empty
-    /// Per kernel (default: default_samples); pins, hostile and stiff values are run even if they are more.
+    std::filesystem::path worst; ///< the same of the worst inputs ever found, which are run before all others
+    /// Per kernel (default: default_samples); worst ones, pins, hostile and stiff values are run even if they
+    /// are more.
     std::optional<std::size_t> samples;
     std::optional<std::uint64_t> seed; ///< for every kernel; else each has its own, its name's hash
     gpu::DeviceOptions device;

@@ -15,6 +15,7 @@ atlas::Options atlas_options(const Common& common) {
     atlas::Options options;
     options.check.kernels = common.kernels;
     options.check.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
+    options.check.worst = GNOMON_SOURCE_DIR "/fixtures/worst";
     options.check.device = common.device;
     return options;
 }

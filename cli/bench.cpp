@@ -1,5 +1,6 @@
 #include "casegen/measure/bench.h"
 
+#include "casegen/check.h"
 #include "casegen/measure/report.h"
 #include "casegen/measure/tables.h"
 #include "cli/commands.h"
@@ -24,9 +25,11 @@ struct Options {
 };
 
 void run(const Options& options, const Common& common) {
-    std::vector<measure::Trigonometry> modes;
-    for (const std::string& mode : options.trigonometry) modes.push_back(measure::parse_trigonometry(mode));
-    const std::vector<measure::Group> groups = measure::group(measure::find_variants(options.pattern), modes);
+    std::vector<Trigonometry> modes;
+    for (const std::string& mode : options.trigonometry) modes.push_back(parse_trigonometry(mode));
+    require_kernels(common.kernels);
+    const std::vector<measure::Group> groups =
+        measure::group(measure::find_variants(options.pattern), modes, common.kernels);
     measure::BenchOptions bench_options = options.bench;
     bench_options.kernels = common.kernels;
     bench_options.device = common.device;

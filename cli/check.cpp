@@ -25,6 +25,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     CheckOptions check_options;
     check_options.kernels = common.kernels;
     check_options.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
+    check_options.worst = GNOMON_SOURCE_DIR "/fixtures/worst";
     check_options.samples = options.samples;
     check_options.seed = parse_seed(options.seed);
     check_options.device = common.device;

@@ -9,7 +9,7 @@ namespace {
 std::vector<std::uint32_t> results_of(gpu::Device& device, const Variant& variant, const Inputs& inputs,
                                       const std::filesystem::path& kernels) {
     const Case& c = *variant.kernel;
-    Outputs outputs = evaluate(device, sources_of(kernels, variant.trigonometry), c, inputs.records);
+    Outputs outputs = evaluate(device, kernel_sources(kernels, {}, variant.trigonometry), c, inputs.records);
     if (const std::string complaint = outputs.complaint(); !complaint.empty())
         throw Error("{}: {}; gnomon check {} tells more", c.name, complaint, c.name);
     return std::move(outputs.words);
@@ -18,7 +18,7 @@ std::vector<std::uint32_t> results_of(gpu::Device& device, const Variant& varian
 GroupResult measure_group(gpu::Device& device, const Group& group, const BenchOptions& options) {
     GroupResult result;
     result.group = group;
-    const Case& c = result.first();
+    const Case& c = group.quantity;
     result.unit = unit_of(c);
     result.has_limit = static_cast<bool>(c.reference.truth);
     result.seed = options.seed.value_or(default_seed(c));
@@ -31,8 +31,7 @@ GroupResult measure_group(gpu::Device& device, const Group& group, const BenchOp
 
     for (const Variant& variant : group.variants) {
         const std::vector<std::uint32_t> words = results_of(device, variant, inputs, options.kernels);
-        result.accuracy.push_back(
-            summarise(*variant.kernel, inputs, deviations(*variant.kernel, inputs, words)));
+        result.accuracy.push_back(summarise(c, inputs, deviations(c, inputs, words)));
     }
     if (options.rounds == 0) return result;
     result.timings = time_variants(device, group, inputs, {options.kernels, options.rounds, result.seed});

@@ -44,8 +44,6 @@ struct GroupResult {
     std::vector<Timings> timings;   ///< none if no time was taken; the last is on inputs of all classes
     /// Per rank and variant, over all inputs, by the last of the timings; empty without.
     std::array<std::vector<std::optional<std::size_t>>, ranks.size()> dominated;
-
-    const Case& first() const { return *group.variants.front().kernel; }
 };
 
 struct Bench {

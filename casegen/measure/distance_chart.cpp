@@ -26,8 +26,8 @@ std::vector<double> all_errors(const GroupResult& result) {
     for (const Accuracy& accuracy : result.accuracy)
         for (const LocusSummary& locus : accuracy.loci)
             for (const Step& step : locus.steps)
-                for (const double value : {step.summary.of_scale.median, step.summary.of_scale.most,
-                                           std::min(step.limit, 1.0)})
+                for (const double value :
+                     {step.summary.of_scale.median, step.summary.of_scale.most, std::min(step.limit, 1.0)})
                     values.push_back(value);
     return values;
 }

@@ -82,10 +82,10 @@ Timings time_on(gpu::Device& device, const Group& group, const Buffers& buffers,
     const std::size_t count = group.variants.size();
     std::vector<Loop> loops; // every variant, the first one again, and the reading
     for (const Variant& variant : group.variants)
-        loops.push_back(make_loop(device, variant, sources_of(options.kernels, variant.trigonometry),
+        loops.push_back(make_loop(device, variant, kernel_sources(options.kernels, {}, variant.trigonometry),
                                   Repeated::calls, buffers));
     const Variant& first = group.variants.front();
-    const glsl::Sources sources = sources_of(options.kernels, first.trigonometry);
+    const glsl::Sources sources = kernel_sources(options.kernels, {}, first.trigonometry);
     loops.push_back(make_loop(device, first, sources, Repeated::calls, buffers));
     loops.back().threads = loops.front().threads;
     loops.push_back(make_loop(device, first, sources, Repeated::reads, buffers));

@@ -3,7 +3,6 @@
 #include "casegen/catalogue.h"
 #include "casegen/sampling.h"
 #include "casegen/standalone.h"
-#include "runtime/error.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +12,7 @@ namespace gnomon::measure {
 namespace {
 
 bool share_inputs(const Case& a, const Case& b) {
+    if (a.quantity.empty()) return a.name == b.name;
     return a.quantity == b.quantity && a.reference.parameters == b.reference.parameters &&
            a.reference.result == b.reference.result && default_seed(a) == default_seed(b);
 }
@@ -38,25 +38,42 @@ std::string short_name(const std::vector<const Case*>& cases, const std::string&
     return front + back < name.size() ? name.substr(front, name.size() - front - back) : name;
 }
 
+/// What the kernels of a quantity are asked, wherever one of them is.
+Case whole(const std::vector<const Case*>& members) {
+    std::vector<const Case*> all = members;
+    for (const Family& family : catalogue())
+        for (const Case& c : family.cases)
+            if (share_inputs(c, *members.front())) all.push_back(&c);
+    Case made = *members.front();
+    made.where = [all = std::move(all)](const Arguments& arguments) {
+        return std::ranges::any_of(all, [&](const Case* c) { return in_domain(*c, arguments); });
+    };
+    return made;
+}
+
+std::vector<Trigonometry> modes_that_differ(const Case& c, std::span<const Trigonometry> modes,
+                                            const std::filesystem::path& kernels) {
+    if (modes.size() == 1) return {modes.front()};
+    std::vector<Trigonometry> different;
+    std::vector<std::string> texts;
+    for (const Trigonometry mode : modes) {
+        std::string text =
+            glsl::expand(kernel_sources(kernels, {}, mode), standalone_source(c), standalone_name);
+        if (std::ranges::find(texts, text) != texts.end()) continue;
+        texts.push_back(std::move(text));
+        different.push_back(mode);
+    }
+    return different;
+}
+
 } // namespace
 
-std::string to_string(Trigonometry) { return "portable"; }
-
-Trigonometry parse_trigonometry(const std::string& text) {
-    if (text != "portable") throw Error("--trigonometry is \"{}\"; there is: portable", text);
-    return Trigonometry::portable;
-}
-
-glsl::Sources sources_of(const std::filesystem::path& kernels, Trigonometry) {
-    return kernel_sources(kernels);
-}
-
-std::vector<Group> group(std::span<const Case* const> cases, std::span<const Trigonometry> modes) {
+std::vector<Group> group(std::span<const Case* const> cases, std::span<const Trigonometry> modes,
+                         const std::filesystem::path& kernels) {
     std::vector<std::vector<const Case*>> alike;
     for (const Case* c : cases) {
-        const auto found = std::ranges::find_if(alike, [&](const std::vector<const Case*>& others) {
-            return !c->quantity.empty() && share_inputs(*c, *others.front());
-        });
+        const auto found = std::ranges::find_if(
+            alike, [&](const std::vector<const Case*>& others) { return share_inputs(*c, *others.front()); });
         if (found != alike.end())
             found->push_back(c);
         else
@@ -65,12 +82,12 @@ std::vector<Group> group(std::span<const Case* const> cases, std::span<const Tri
     std::vector<Group> groups;
     for (const std::vector<const Case*>& members : alike) {
         const Case& first = *members.front();
-        Group made{first.quantity.empty() ? first.name : first.quantity, {}};
+        Group made{first.quantity.empty() ? first.name : first.quantity, whole(members), {}};
         const bool taken =
             std::ranges::any_of(groups, [&](const Group& other) { return other.name == made.name; });
         if (taken) made.name = first.name;
         for (const Case* c : members)
-            for (const Trigonometry mode : modes) {
+            for (const Trigonometry mode : modes_that_differ(*c, modes, kernels)) {
                 const std::string name = short_name(members, c->name);
                 made.variants.push_back(
                     {c, mode, modes.size() > 1 ? fmt::format("{}, {}", name, to_string(mode)) : name});
