@@ -4,6 +4,7 @@
 
 #include "casegen/random.h"
 #include "casegen/stiffness.h"
+#include "runtime/files.h"
 
 #include <functional>
 #include <string>

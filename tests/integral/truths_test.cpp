@@ -53,6 +53,8 @@ Records make_records(const Case& c, float first = 0) {
     return records;
 }
 
+const double fifth = static_cast<double>(0.01f * 5); // the record of that index
+
 void expect_same_bits(const std::vector<Truth>& a, const std::vector<Truth>& b) {
     ASSERT_EQ(a.size(), b.size());
     EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(Truth)), 0);
@@ -92,7 +94,7 @@ TEST_F(TruthsInFiles, are_those_of_the_reference_and_empty_outside_the_domain) {
     const std::vector<Truth> all = get();
     EXPECT_EQ(computed, in_domain_count);
     ASSERT_EQ(all.size(), static_cast<std::size_t>(record_count));
-    EXPECT_EQ(all[5].value[0], static_cast<double>(0.05f) / 3);
+    EXPECT_EQ(all[5].value[0], fifth / 3);
     EXPECT_EQ(all[in_domain_count].scale, 0);
     EXPECT_EQ(folder.entries(), 3u);
 }
@@ -123,7 +125,7 @@ TEST_F(TruthsInFiles, grow_with_the_domains_that_ask_for_them) {
     EXPECT_LT(computed, in_domain_count);
     const std::vector<Truth> all = get_afresh();
     EXPECT_LT(computed, in_domain_count);
-    EXPECT_EQ(all[5].value[0], static_cast<double>(0.05f) / 3);
+    EXPECT_EQ(all[5].value[0], fifth / 3);
     get_afresh();
     EXPECT_EQ(computed, checks);
 }
@@ -175,7 +177,7 @@ TEST_F(TruthsInFiles, are_not_taken_from_files_of_another_function) {
     const Case changed = make_case("test/third_by_name", half_of); // a table that was edited
     const std::vector<Truth> all = get(changed, records, files);
     EXPECT_GE(computed, in_domain_count);
-    EXPECT_EQ(all[5].value[0], static_cast<double>(0.05f) / 2);
+    EXPECT_EQ(all[5].value[0], fifth / 2);
 }
 
 TEST_F(TruthsInFiles, do_without_a_folder_that_cannot_be_written) {

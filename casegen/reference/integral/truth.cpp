@@ -262,7 +262,7 @@ Truth interval_truth(const Arguments& arguments, bool of_versines) {
     const CellInterval found = interval_over(x);
     const Extremum* ends[] = {&found.least, &found.greatest};
     Truth truth;
-    truth.scale = 1;
+    truth.scale = of_versines ? 2 : 1;
     for (std::size_t i = 0; i < 2; ++i) {
         const double versine = value_of(ends[i]->versine);
         truth.value[i] = of_versines ? versine : value_of(Real(1 - ends[i]->versine));
