@@ -587,7 +587,7 @@ std::shared_ptr<const Generator> lit_cells() {
 bool is_lit_cell(const Arguments& arguments) {
     const auto& n = arguments.numbers;
     return std::abs(n[1]) <= pi + 1e-5 && is_polar(n[2]) && is_polar(n[2] + n[3]) && is_polar(n[2] + n[4]) &&
-           std::abs(std::hypot(n[8], n[9], n[10]) - 1) < 1e-6 && n[11] * std::min(n[13], n[14]) <= 104 &&
+           std::abs(std::hypot(n[8], n[9], n[10]) - 1) < 1e-3 && n[11] * std::min(n[13], n[14]) <= 104 &&
            n[11] * std::abs(n[13] - n[14]) <= 4 * sharpest;
 }
 

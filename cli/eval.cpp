@@ -56,7 +56,8 @@ void run(const Options& options, const Common& common) {
     gpu::Device device(common.device);
     const Outputs outputs = evaluate(device, kernel_sources(common.kernels), c, records);
     require_no_validation_messages();
-    if (const std::string complaint = outputs.complaint(); !complaint.empty())
+    // Of a kernel that must fail even an unwritten result is no surprise: it reads as NaN.
+    if (const std::string complaint = outputs.complaint(); !complaint.empty() && c.fails.empty())
         throw Error("{}: {}; gnomon check {} tells more", c.name, complaint, c.name);
 
     std::string text = fmt::format("{}\n", fmt::join(header, ","));

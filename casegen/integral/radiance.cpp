@@ -22,7 +22,7 @@ Quantity radiance() {
              {"theta0", {0, pi, {}}, "radians", "the edge towards the pole, from the pole"},
              {"rise", {-pi, pi, {}}, "radians", "how far the boundary lies from theta0, at either end"},
              {"n", {-1, 1, {}}, "1", "the receiver's normal, in the cell's frame"},
-             {"p", {-1, 1, {}}, "1", "the lobe's axis, of length 1, in the cell's frame"},
+             {"p", {-1, 1, {}}, "1", "the lobe's axis in the cell's frame; it is scaled to length 1"},
              {"lambda", {0, 1e8, {}}, "1", "the lobe's sharpness: mu e^(lambda (x - 1))"},
              {"mu", {-1e6, 1e6, {}}, "radiance", "the lobe's height"},
              {"versines",

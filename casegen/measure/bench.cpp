@@ -10,7 +10,8 @@ std::vector<std::uint32_t> results_of(gpu::Device& device, const Variant& varian
                                       const std::filesystem::path& kernels) {
     const Case& c = *variant.kernel;
     Outputs outputs = evaluate(device, kernel_sources(kernels, {}, variant.trigonometry), c, inputs.records);
-    if (const std::string complaint = outputs.complaint(); !complaint.empty())
+    // Of a kernel that must fail even an unwritten result is no surprise: it reads as NaN.
+    if (const std::string complaint = outputs.complaint(); !complaint.empty() && c.fails.empty())
         throw Error("{}: {}; gnomon check {} tells more", c.name, complaint, c.name);
     return std::move(outputs.words);
 }

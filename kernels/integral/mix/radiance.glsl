@@ -10,8 +10,8 @@ float integral_mix_radiance(float phi, float half_width, float theta0, vec2 rise
     // Radians of that wave on half the width, and the nodes that leave 1e-7 of it (the most is 3π/2 + 2π).
     float wave = 3.0 * abs(cell.gain) + 2.0 * abs(half_width);
     Rule rule = GAUSS_16;
-    if (wave < 8.0) rule = GAUSS_12;
-    if (wave < 4.0) rule = GAUSS_8;
-    if (wave < 0.6) rule = GAUSS_4;
+    if (wave < 6.0) rule = GAUSS_12;
+    if (wave < 3.5) rule = GAUSS_8;
+    if (wave < 0.5) rule = GAUSS_4;
     return bounded(by_columns(cell, rule));
 }
