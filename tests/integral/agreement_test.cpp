@@ -220,7 +220,7 @@ Digits closed_fit(ri::Fit what, const Digits& a, const Digits& b, const Digits& 
     case ri::Fit::beta:
         return fit.beta;
     case ri::Fit::l2:
-        return closed::l2(a, b, lambda, mu) * (mu < 0 ? -1 : 1);
+        return closed::l2(a, b, lambda, mu);
     case ri::Fit::l1:
         break;
     }
