@@ -24,16 +24,9 @@ namespace {
 static_assert(sizeof(Truth) == 9 * sizeof(double)); // no padding: its bytes are what it is
 static_assert(std::is_trivially_copyable_v<Truth>);
 
-/// MPFR keeps constants per thread.
-struct FreeConstants {
-    ~FreeConstants() { mpfr_free_cache(); }
-};
-
 const std::string& quantity_of(const Case& c) { return c.quantity.empty() ? c.name : c.quantity; }
 
 Truth compute(const Case& c, std::span<const std::uint32_t> input) {
-    static thread_local const FreeConstants at_exit;
-    static_cast<void>(at_exit);
     return c.reference.truth(arguments(c, input, nullptr));
 }
 

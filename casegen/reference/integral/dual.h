@@ -48,8 +48,8 @@ struct Dual {
     }
 
     /// f(x) from f's value and slope there.
-    friend Dual chain(Dual x, double value, double slope) {
-        x.value = value;
+    friend Dual chain(Dual x, double f, double slope) {
+        x.value = f;
         for (double& d : x.by) d *= slope;
         return x;
     }
