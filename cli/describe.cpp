@@ -30,8 +30,22 @@ void describe(const Case& c, const std::filesystem::path& kernels) {
     if (c.where) fmt::print("             (not every combination: see `where` in the table)\n");
     fmt::print("result     {:g} to {:g} [{}], {}\n", c.result.lower, c.result.upper, c.result.unit,
                c.result.meaning);
-    fmt::print("tolerance  {}; for inputs outside the ranges above: any result within its range, never NaN\n",
-               to_string(c.tolerance));
+    fmt::print("tolerance  {}{}\n", to_string(c.tolerance),
+               c.defended ? "; for inputs outside the ranges above: any result within its range, never NaN"
+                          : "");
+    if (!c.rule.empty()) fmt::print("otherwise  {}\n", c.rule);
+    if (!c.fails.empty()) fmt::print("must fail  {}\n", c.fails);
+    if (!c.quantity.empty()) {
+        fmt::print("computes   {}, as do:", c.quantity);
+        for (const Case* other : find_cases(""))
+            if (other->quantity == c.quantity && other != &c) fmt::print(" {}", other->name);
+        fmt::print("\n");
+    }
+    if (c.generator) {
+        std::vector<std::string> names;
+        for (const Locus& locus : c.generator->loci) names.push_back(locus.name);
+        fmt::print("stiff at   {}\n", fmt::join(names, "; "));
+    }
     if (c.number == 0) return;
     fmt::print("applies to {}\n", in_words(c.condition));
     fmt::print("value      {}\n", c.formula);

@@ -134,15 +134,15 @@ std::vector<Case> lobe_cases() {
     corner.source = "Analytic Double Product Integrals, Appendix A";
     corner.reference = corner_rule;
     std::vector<Case> cases;
-    cases.push_back(in_form("interval", exact, conditioned(8)));
-    cases.push_back(in_form("interval", versines, conditioned(8)));
+    cases.push_back(in_form("interval", exact, conditioned(16)));
+    cases.push_back(in_form("interval", versines, conditioned(16)));
     cases.push_back(good_where(in_form("interval", corner, absolute(1e-6)), is_off_the_edges));
-    for (const Quantity& q : {r0, r1, beta, alpha}) cases.push_back(in_form("fit", q, conditioned(4)));
-    for (const Quantity& q : {l2, l1}) cases.push_back(in_form("fit", q, conditioned(8)));
+    for (const Quantity& q : {r0, r1, beta, alpha}) cases.push_back(in_form("fit", q, conditioned(12)));
+    for (const Quantity& q : {l2, l1}) cases.push_back(in_form("fit", q, conditioned(16)));
     for (const auto& [q, truth] :
          {std::pair{r0, &fit_r0_of_ends}, std::pair{r1, &fit_r1_of_ends},
           std::pair{alpha, &fit_alpha_of_ends}, std::pair{beta, &fit_beta_of_ends}}) {
-        Case c = as_printed(in_form("fit_printed", of_ends(q, truth), conditioned(40)), is_gentle);
+        Case c = as_printed(in_form("fit_printed", of_ends(q, truth), conditioned(100)), is_gentle);
         c.quantity += "_of_ends";
         cases.push_back(std::move(c));
     }

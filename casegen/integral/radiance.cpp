@@ -74,36 +74,38 @@ std::vector<Case> radiance_cases() {
     const Quantity q = radiance();
     const auto exact_theta = [&](const char* form, double most) {
         // So large that α and βx do not cancel, and of so few turns that the rule has nodes for them.
-        return good_where(in_form(form, q, conditioned(20)), [most](const Arguments& arguments) {
+        return good_where(in_form(form, q, conditioned(200)), [most](const Arguments& arguments) {
             const Shape s = shape_of(arguments);
             return s.wave <= most && s.q > 0.05;
         });
     };
     const auto centred = [&](const char* form, double most) {
-        return good_where(in_form(form, q, conditioned(4)), [most](const Arguments& arguments) {
+        return good_where(in_form(form, q, conditioned(40)), [most](const Arguments& arguments) {
             const Shape s = shape_of(arguments);
             return s.wave <= most && 1.5 * s.rise <= most;
         });
     };
     const auto columns = [&](const char* form, double most) {
-        return good_where(in_form(form, q, conditioned(2)),
+        return good_where(in_form(form, q, conditioned(8)),
                           [most](const Arguments& arguments) { return shape_of(arguments).wave <= most; });
     };
+    // The numbers are what hill-climbing on the inputs' bits finds (fixtures/worst), with room to spare;
+    // ordinary and stiff inputs stay below 2 by columns. docs/integrals.md has the tables.
     std::vector<Case> cases;
     cases.push_back(columns("columns_4", 0.6));
     cases.push_back(columns("columns_8", 4));
     cases.push_back(columns("columns_12", 8));
     cases.push_back(columns("columns_16", 20));
-    cases.push_back(in_form("mix", q, conditioned(2)));
+    cases.push_back(in_form("mix", q, conditioned(8)));
     cases.push_back(centred("centred_4", 0.6));
     cases.push_back(centred("centred_8", 4));
     cases.push_back(centred("centred_12", 8));
     cases.push_back(exact_theta("exact_theta_4", 0.6));
     cases.push_back(exact_theta("exact_theta_8", 4));
     cases.push_back(exact_theta("exact_theta", 8));
-    cases.push_back(good_where(in_form("sinc", q, conditioned(40)), is_wide));
-    cases.push_back(as_printed(in_form("printed", q, conditioned(1000)), is_far_from_loci));
-    Case exactly = in_form("as_printed", q, conditioned(200));
+    cases.push_back(good_where(in_form("sinc", q, conditioned(400)), is_wide));
+    cases.push_back(as_printed(in_form("printed", q, conditioned(4000)), is_far_from_loci));
+    Case exactly = in_form("as_printed", q, conditioned(4000));
     exactly.defended = false;
     exactly.fails = "B0 asks for C4 at s = 1, where it divides by zero: never a number";
     exactly.rule = "as printed: NaN";
