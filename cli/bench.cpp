@@ -70,9 +70,13 @@ void add_bench(CLI::App& app, Common& common) {
         ->capture_default_str();
     verb->add_flag("--no-time", options->no_time, "errors only")->excludes("--rounds");
     verb->add_flag("--classes", options->classes, "print tables by class of input too");
+    verb->add_option("--out", options->out,
+                     "folder for report.html, its pictures alone (.svg), and bench.json")
+        ->check(not_empty());
     verb->add_option(
             "--trigonometry", options->trigonometry,
-            "whose sine, cosine and exponential: portable; several, parted by commas, stand side by side")
+            "whose sine, cosine and exponential kernels call: portable, built-in, coarse; several, parted by "
+            "commas, stand side by side")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->capture_default_str();

@@ -1,11 +1,10 @@
 #include "casegen/measure/inputs.h"
 
-#include "casegen/truths.h"
 #include "runtime/error.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
-#include <future>
-#include <thread>
 
 namespace gnomon::measure {
 namespace {
@@ -56,26 +55,10 @@ void draw_from_sampler(Inputs& inputs, const Case& c, const InputOptions& option
 
 } // namespace
 
-std::vector<Truth> truths_on(const Case& c, const Records& records, unsigned jobs) {
-    if (!c.reference.truth) return {};
-    constexpr std::size_t share = 64;
-    const std::size_t shares = (records.size() + share - 1) / share;
-    std::vector<Truth> all(records.size());
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t n = next++; n < shares; n = next++) {
-            const std::size_t begin = n * share, end = std::min(begin + share, records.size());
-            Records some(c);
-            for (std::size_t i = begin; i < end; ++i) some.add(records.input(i), records.mask(i));
-            std::ranges::copy(truths(c, some), all.begin() + static_cast<std::ptrdiff_t>(begin));
-        }
-    };
-    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::future<void>> workers;
-    for (unsigned i = 0; i < (jobs > 0 ? jobs : cores); ++i)
-        workers.push_back(std::async(std::launch::async, work));
-    for (std::future<void>& worker : workers) worker.get();
-    return all;
+std::vector<Truth> truths_on(const Case& c, const Records& records, unsigned jobs, const TruthFiles& files) {
+    if (jobs == 0) return truths(c, records, files);
+    tbb::task_arena arena(static_cast<int>(jobs));
+    return arena.execute([&] { return truths(c, records, files); });
 }
 
 Inputs draw_inputs(const Case& c, const InputOptions& options) {
@@ -101,7 +84,7 @@ Inputs draw_inputs(const Case& c, const InputOptions& options) {
     }
     if (inputs.records.size() == 0)
         throw Error("{}: none of {} inputs lies in its domain; take more --samples", c.name, inputs.left_out);
-    inputs.truths = truths_on(c, inputs.records, options.jobs);
+    inputs.truths = truths_on(c, inputs.records, options.jobs, default_truth_files());
     return inputs;
 }
 

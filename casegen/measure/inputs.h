@@ -4,6 +4,7 @@
 
 #include "casegen/sampling.h"
 #include "casegen/standalone.h"
+#include "casegen/truths.h"
 
 #include <cstdint>
 #include <optional>
@@ -35,7 +36,7 @@ struct Inputs {
 /// times before it is left out. Throws Error if none at all is in the domain.
 Inputs draw_inputs(const Case& c, const InputOptions& options);
 
-/// truths() of each record, shared among threads.
-std::vector<Truth> truths_on(const Case& c, const Records& records, unsigned jobs);
+/// truths() on so many threads; 0: one per core.
+std::vector<Truth> truths_on(const Case& c, const Records& records, unsigned jobs, const TruthFiles& files);
 
 } // namespace gnomon::measure

@@ -49,7 +49,8 @@ public:
         const Outputs outputs = run_standalone(device_, kernel_, case_, records);
         if (const std::string complaint = outputs.complaint(); !complaint.empty())
             throw Error("{}: {}; gnomon check {} tells more", case_.name, complaint, case_.name);
-        const std::vector<Truth> truths = measure::truths_on(case_, records, options_.jobs);
+        // Nobody asks for these inputs again: they are not worth files.
+        const std::vector<Truth> truths = measure::truths_on(case_, records, options_.jobs, {});
         const auto components = static_cast<std::size_t>(case_.reference.result.components);
         for (std::size_t i = 0; i < candidates.size(); ++i) {
             const Agreement agreement = judge(case_, with(candidates[i]),
