@@ -5,15 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace gnomon::measure {
 namespace {
 
-constexpr double chart_width = 268, chart_height = 196, gap = 16, margin = 20;
+constexpr double chart_width = 372, chart_height = 270, gap = 16, margin = 20;
 constexpr double left = 40, right = 8, top = 24, bottom = 30; // within a chart
 constexpr double lane = 11;                                   // above the axis: results that are not finite
-constexpr std::size_t columns = 4;
-constexpr int lowest = -9, highest = 6;
+constexpr std::size_t columns = 3;
+constexpr int lowest = -9, highest = 2; // of what is worth telling apart
 
 /// Position of a step: 1e-1 at the left, 1e-12, a gap, and "on it".
 double x_of(int step, double x) {
@@ -70,23 +71,35 @@ void draw_line(Svg& svg, const std::vector<Step>& steps, double x, const LogAxis
     svg.polyline(points, style);
 }
 
-void draw_variant(Svg& svg, const LocusSummary& locus, std::size_t n, std::size_t count, double x,
-                  const LogAxis& axis) {
+void draw_variant(Svg& svg, const LocusSummary& locus, std::size_t n, double x, const LogAxis& axis) {
     const auto median = [](const Step& step) { return step.summary.of_scale.median; };
     const auto most = [](const Step& step) { return step.summary.of_scale.most; };
-    draw_line(svg, locus.steps, x, axis, line_style(n) + " stroke-width=\"0.7\" opacity=\"0.75\"", most);
+    draw_line(svg, locus.steps, x, axis, line_style(n) + " stroke-width=\"0.6\" opacity=\"0.6\"", most);
     draw_line(svg, locus.steps, x, axis, line_style(n) + " stroke-width=\"1.9\"", median);
-    const std::string fill = fmt::format("fill=\"{}\"", colour(n));
-    for (const Step& step : locus.steps) {
-        const Quantiles& q = step.summary.of_scale;
-        if (step.step == 0 && std::isfinite(q.median)) svg.marker(n, x_of(0, x), axis(q.median), 2.8, fill);
-        if (q.non_finite == 0) continue;
-        // Side by side within the step's width, so that no mark hides another.
-        const double beside =
-            count > 1 ? (static_cast<double>(n) / static_cast<double>(count - 1) - 0.5) * 9 : 0;
-        svg.marker(n, x_of(step.step, x) + beside, axis.to - lane / 2, 2.4,
-                   std::isfinite(q.median) ? fmt::format("fill=\"#fff\" stroke=\"{}\"", colour(n)) : fill);
-    }
+    for (const Step& step : locus.steps)
+        if (step.step == 0 && std::isfinite(median(step)))
+            svg.marker(n, x_of(0, x), axis(median(step)), 3, fmt::format("fill=\"{}\"", colour(n)));
+}
+
+/// Marks of those whose results are not all finite at some step, side by side, so that none hides another.
+void draw_non_finite(Svg& svg, const GroupResult& result, std::size_t l, double x, const LogAxis& axis) {
+    std::map<int, std::vector<std::size_t>> marked;
+    for (std::size_t n = 0; n < result.group.variants.size(); ++n)
+        for (const Step& step : result.accuracy[n].loci[l].steps)
+            if (step.summary.of_scale.non_finite > 0) marked[step.step].push_back(n);
+    for (const auto& [step, variants] : marked)
+        for (std::size_t i = 0; i < variants.size(); ++i) {
+            const std::size_t n = variants[i];
+            const std::vector<Step>& steps = result.accuracy[n].loci[l].steps;
+            const auto at = std::ranges::find(steps, step, &Step::step);
+            const bool most = !std::isfinite(at->summary.of_scale.median);
+            const double spread = std::min(8.0, 18.0 / static_cast<double>(variants.size()));
+            const double beside =
+                (static_cast<double>(i) - 0.5 * static_cast<double>(variants.size() - 1)) * spread;
+            svg.marker(n, x_of(step, x) + beside, axis.to - lane / 2, 2.8,
+                       most ? fmt::format("fill=\"{}\"", colour(n))
+                            : fmt::format("fill=\"#fff\" stroke=\"{}\"", colour(n)));
+        }
 }
 
 } // namespace
@@ -121,8 +134,9 @@ std::string distance_chart(const GroupResult& result) {
                          result.has_limit ? " as a fraction of the scale ∫|f|" : ", " + result.unit),
              "fill=\"#5d6470\"");
     svg.text(margin, margin + 43,
-             "Bold: median; thin: largest; grey: κu, what rounding the inputs does. Marks in the red lane: "
-             "some (hollow) or most (full) results are NaN or infinite.",
+             "Bold: median; thin: largest; grey: κu, what rounding the inputs does. Red lane: some (hollow) "
+             "or most "
+             "(full) results are NaN or infinite. What lies beyond an edge is drawn on it.",
              "fill=\"#5d6470\"");
     for (std::size_t n = 0; n < variants; ++n) {
         const double x = margin + static_cast<double>(n % per_line) * entry;
@@ -144,8 +158,8 @@ std::string distance_chart(const GroupResult& result) {
         if (result.has_limit)
             draw_line(svg, locus.steps, x, axis, "stroke=\"#9a9a94\" stroke-width=\"3.2\"",
                       [](const Step& step) { return step.limit; });
-        for (std::size_t n = 0; n < variants; ++n)
-            draw_variant(svg, result.accuracy[n].loci[l], n, variants, x, axis);
+        for (std::size_t n = 0; n < variants; ++n) draw_variant(svg, result.accuracy[n].loci[l], n, x, axis);
+        draw_non_finite(svg, result, l, x, axis);
         if (locus.steps.empty())
             svg.text(x + left + 10, y + chart_height / 2, "no input of its domain lies here",
                      "fill=\"#5d6470\"");

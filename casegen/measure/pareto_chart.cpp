@@ -71,7 +71,8 @@ std::string pareto_chart(const GroupResult& result) {
     svg.text(
         margin, margin + 27,
         fmt::format("Error {}, over {} inputs (\"{}\"); bars: fastest to slowest round. Hollow: dominated by "
-                    "a variant no slower beyond the noise ({:.0f} %) and no less accurate.",
+                    "a variant no slower beyond the noise ({:.0f} %) and no less accurate. Errors beyond the "
+                    "upper edge lie on it.",
                     result.has_limit ? "as a fraction of the scale ∫|f|" : "in " + result.unit, result.inputs,
                     timings.inputs, 100 * timings.noise()),
         "fill=\"#5d6470\"");
@@ -82,7 +83,7 @@ std::string pareto_chart(const GroupResult& result) {
         svg.text(x + 17, y, result.group.variants[n].label, "font-size=\"12\"");
     }
 
-    Axes axes{axis_around(times, -2, 6), axis_around(errors, -12, 6)};
+    Axes axes{axis_around(times, -2, 6), axis_around(errors, -12, 2)};
     for (std::size_t r = 0; r < ranks.size(); ++r) {
         const double x = margin + static_cast<double>(r) * (panel_width + gap), y = head;
         axes.time.from = x + left;

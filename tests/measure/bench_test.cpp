@@ -205,8 +205,7 @@ TEST(bench, files_hold_what_was_found_and_json_has_no_infinity) {
     EXPECT_TRUE(printed["loci"][0]["distances"].back()["error"]["median"].is_null());
     EXPECT_EQ(printed["loci"][0]["distances"].back()["distance"], 0);
     EXPECT_TRUE(printed["nanoseconds"]["ordinary"]["median"].is_number());
-    EXPECT_THAT(read_file(out / "report.html"), Not(HasSubstr("http://www.example")));
-                                  std::filesystem::copy_options::overwrite_existing);
+    EXPECT_THAT(read_file(out / "report.html"), AllOf(HasSubstr("<svg"), Not(HasSubstr("src="))));
     EXPECT_THAT(to_text(made, true), AllOf(HasSubstr("wave/integral, by class"), HasSubstr("inf")));
     EXPECT_THAT(error_of([&] { require_report_folder(out / "bench.json"); }), HasSubstr("bench.json"));
 }
