@@ -36,12 +36,13 @@ GroupResult measure_group(gpu::Device& device, const Group& group, const BenchOp
     }
     if (options.rounds == 0) return result;
     result.timings = time_variants(device, group, inputs, {options.kernels, options.rounds, result.seed});
+    const Timings& last = result.timings.back(); // with the reading, which the noise is a fraction of too
     for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
         std::vector<Point> points;
         for (std::size_t i = 0; i < group.variants.size(); ++i)
-            points.push_back({result.timings.back().variants[i].median,
+            points.push_back({last.floor + last.variants[i].median,
                               error_at(result.accuracy[i].all.of_scale, ranks[rank])});
-        result.dominated[rank] = dominated_by(points, result.timings.back().noise());
+        result.dominated[rank] = dominated_by(points, last.noise());
     }
     return result;
 }

@@ -19,7 +19,7 @@ namespace gnomon::measure {
 struct BenchOptions {
     std::filesystem::path kernels;
     std::size_t samples = 1024;        ///< ordinary inputs
-    std::size_t repeats = 8;           ///< inputs per locus and distance
+    std::size_t repeats = 16;          ///< inputs per locus and distance
     std::optional<std::uint64_t> seed; ///< else each group's own, as in check
     unsigned rounds = 9;               ///< 0: no times
     unsigned jobs = 0;                 ///< threads for truths; 0: one per core

@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <thread>
 
 namespace gnomon::measure {
 namespace {
@@ -56,7 +57,8 @@ void draw_from_sampler(Inputs& inputs, const Case& c, const InputOptions& option
 } // namespace
 
 std::vector<Truth> truths_on(const Case& c, const Records& records, unsigned jobs, const TruthFiles& files) {
-    if (jobs == 0) return truths(c, records, files);
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    if (jobs == 0 || jobs >= cores) return truths(c, records, files); // TBB has no more threads than these
     tbb::task_arena arena(static_cast<int>(jobs));
     return arena.execute([&] { return truths(c, records, files); });
 }

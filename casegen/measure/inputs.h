@@ -15,7 +15,7 @@ namespace gnomon::measure {
 
 struct InputOptions {
     std::size_t ordinary = 1024;
-    std::size_t repeats = 8; ///< per locus and distance
+    std::size_t repeats = 16; ///< per locus and distance
     std::uint64_t seed = 0;
     unsigned jobs = 0; ///< threads for truths; 0: one per core
 };

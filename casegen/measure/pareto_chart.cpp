@@ -36,7 +36,8 @@ void draw_axes(Svg& svg, double x, double y, const Axes& axes, Rank rank) {
             if (value > std::pow(10.0, axes.time.upper) * 1.01) continue;
             const double at = axes.time(value);
             svg.line(at, y0, at, y1, digit == 1 ? "stroke=\"#e4e1d9\"" : "stroke=\"#f1efe9\"");
-            svg.text(at, y0 + 16, fmt::format("{:g}", value), "text-anchor=\"middle\" fill=\"#5d6470\"");
+            if (digit == 1 || axes.time.upper - axes.time.lower <= 3)
+                svg.text(at, y0 + 16, fmt::format("{:g}", value), "text-anchor=\"middle\" fill=\"#5d6470\"");
         }
     svg.line(x0, y0, x1, y0, "stroke=\"#5d6470\"");
     svg.line(x0, y0, x0, y1, "stroke=\"#5d6470\"");
@@ -64,21 +65,26 @@ std::string pareto_chart(const GroupResult& result) {
     const double width = 2 * margin + 3 * panel_width + 2 * gap;
     const auto per_line = static_cast<std::size_t>(std::max(1.0, (width - 2 * margin) / entry));
     const double legend = row * static_cast<double>((variants + per_line - 1) / per_line);
-    const double head = margin + 50 + legend;
+    const double head = margin + 66 + legend;
     Svg svg(width, head + panel_height + margin);
     const std::string title = result.group.name + ": time against error";
     svg.text(margin, margin + 8, title, "font-size=\"16\" font-weight=\"600\"");
     svg.text(
         margin, margin + 27,
-        fmt::format("Error {}, over {} inputs (\"{}\"); bars: fastest to slowest round. Hollow: dominated by "
-                    "a variant no slower beyond the noise ({:.0f} %) and no less accurate. Errors beyond the "
-                    "upper edge lie on it.",
-                    result.has_limit ? "as a fraction of the scale ∫|f|" : "in " + result.unit, result.inputs,
-                    timings.inputs, 100 * timings.noise()),
+        fmt::format(
+            "Up: error {}, over {} inputs (\"{}\"); what lies beyond an edge is drawn on it. Right: time; "
+            "bars: fastest to slowest round.",
+            result.has_limit ? "as a fraction of the scale ∫|f|" : "in " + result.unit, result.inputs,
+            timings.inputs),
         "fill=\"#5d6470\"");
+    svg.text(margin, margin + 43,
+             fmt::format("Hollow: dominated by a variant that is no slower beyond the noise ({:.0f} %) and "
+                         "no less accurate.",
+                         100 * timings.noise()),
+             "fill=\"#5d6470\"");
     for (std::size_t n = 0; n < variants; ++n) {
         const double x = margin + static_cast<double>(n % per_line) * entry;
-        const double y = margin + 50 + row * static_cast<double>(n / per_line);
+        const double y = margin + 66 + row * static_cast<double>(n / per_line);
         svg.marker(n, x + 6, y - 4, 4.5, fmt::format("fill=\"{}\"", colour(n)));
         svg.text(x + 17, y, result.group.variants[n].label, "font-size=\"12\"");
     }

@@ -105,7 +105,12 @@ Timings time_on(gpu::Device& device, const Group& group, const Buffers& buffers,
         const auto net = [&](double gross) { return std::max(0.0, gross - timings.floor); };
         timings.variants.push_back({net(median_of(taken[n])), net(least), net(most)});
     }
-    std::vector<double> ratios, distances;
+    std::vector<double> ratios, distances, spreads;
+    for (const std::vector<double>& rounds : taken) {
+        const double median = median_of(rounds);
+        for (const double one : rounds) spreads.push_back(std::abs(one / median - 1));
+    }
+    timings.spread = median_of(std::move(spreads));
     for (std::size_t round = 0; round < taken[0].size(); ++round) {
         ratios.push_back(taken[count][round] / taken[0][round]);
         distances.push_back(std::abs(ratios.back() - 1));
@@ -117,7 +122,7 @@ Timings time_on(gpu::Device& device, const Group& group, const Buffers& buffers,
 
 } // namespace
 
-double Timings::noise() const { return std::max({least_noise, std::abs(again - 1), again_spread}); }
+double Timings::noise() const { return std::max({least_noise, std::abs(again - 1), again_spread, spread}); }
 
 std::vector<Timings> time_variants(gpu::Device& device, const Group& group, const Inputs& inputs,
                                    const TimingOptions& options, const std::function<void()>& done) {

@@ -28,7 +28,9 @@ struct Timings {
     /// The first variant measured a second time in every round, over the first time: the median of the
     /// ratios, and the median of their distances from 1.
     double again = 1, again_spread = 0;
-    /// What differs by no more than this fraction is no difference.
+    /// How far a round is from its variant's median: the median of all of them, as a fraction.
+    double spread = 0;
+    /// Times with their reading that differ by no more than this fraction do not differ.
     double noise() const;
     /// Times below this are lost in the noise of reading.
     double least_time() const { return noise() * floor; }
