@@ -132,7 +132,7 @@ std::vector<Case> boundary_cases() {
     }
     cases.push_back({
         .name = "integral/cell/from_boundary",
-        .source = "integrals.md, section 3",
+        .source = "docs/integrals.md, section 3",
         .reference = from_boundary,
         .parameters = cell(),
         .result = {-largest, largest, "radians",
@@ -144,7 +144,7 @@ std::vector<Case> boundary_cases() {
     });
     cases.push_back({
         .name = "integral/cell/from_south",
-        .source = "integrals.md, section 3",
+        .source = "docs/integrals.md, section 3",
         .reference =
             [](double theta) {
                 return static_cast<double>(std::numbers::pi_v<long double> - static_cast<long double>(theta));

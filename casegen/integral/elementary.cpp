@@ -63,7 +63,7 @@ std::vector<Case> elementary_cases() {
         },
         {
             .name = "integral/elementary/sinc",
-            .source = "integrals.md, section 3",
+            .source = "docs/integrals.md, section 3",
             .reference = [](double x) { return sinc(x); },
             .parameters = {angle(known, "half the angle that a wave turns by")},
             .result = {-1, 1, "1", "sin x / x, the wave's mean over its value in the middle"},
@@ -71,7 +71,7 @@ std::vector<Case> elementary_cases() {
         },
         {
             .name = "integral/elementary/sinc_deficit",
-            .source = "integrals.md, section 3",
+            .source = "docs/integrals.md, section 3",
             .reference = [](double x) { return sinc_deficit(x); },
             .parameters = {angle(50, "half the angle that a wave turns by")},
             .result = {-largest, largest, "1", "1 - sin x / x"},
@@ -79,7 +79,7 @@ std::vector<Case> elementary_cases() {
         },
         {
             .name = "integral/elementary/exprel",
-            .source = "integrals.md, section 4",
+            .source = "docs/integrals.md, section 4",
             .reference = [](double x) { return x == 0 ? 1 : -std::expm1(-x) / x; },
             .parameters = {{"x", {-80, 1e6, {}}, "1", "the exponent"}},
             .result = {0, largest, "1", "(1 - e^-x) / x, the mean of e^-t over 0 to x"},

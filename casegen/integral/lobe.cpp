@@ -120,12 +120,12 @@ std::vector<Case> lobe_cases() {
     const Quantity l1 =
         of_lobe("l1", "Equation 3 as the L1 norm", fit_l1, "radiance", "integral of |G - L| over x");
     const Quantity exact =
-        of_cell("exact", "Analytic Double Product Integrals, Appendix A; integrals.md, section 5",
+        of_cell("exact", "Analytic Double Product Integrals, Appendix A; docs/integrals.md, section 5",
                 reference_by<dvec2(double, double, dvec2, dvec3)>(interval), -1, 1,
                 "(a, b): the interval of the dot product",
                 "reversed widths and edges are turned round; an input that is not finite gives (-1, 1)");
     const Quantity versines =
-        of_cell("versines", "integrals.md, sections 4 and 5",
+        of_cell("versines", "docs/integrals.md, sections 4 and 5",
                 reference_by<dvec2(double, double, dvec2, dvec3)>(interval_versines), 0, 2,
                 "(1 - a, 1 - b) of the interval of the dot product",
                 "reversed widths and edges are turned round; an input that is not finite gives (2, 0)");

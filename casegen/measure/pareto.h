@@ -14,8 +14,9 @@ struct Point {
 
 /// Per point, the point that dominates it: no slower than it by more than the noise, with no larger an error,
 /// and either more accurate or faster by more than the noise. Of several the most accurate, of those the
-/// fastest, then the first. `noise` is a fraction of the time: 0.05. Equals do not dominate each other, and
-/// nothing is dominated in a circle.
+/// fastest, then the first. What has no finite error is dominated by whatever has one, for nobody needs a
+/// fast wrong number. `noise` is a fraction of the time: 0.05. Equals do not dominate each other, and nothing
+/// is dominated in a circle.
 std::vector<std::optional<std::size_t>> dominated_by(std::span<const Point> points, double noise);
 
 } // namespace gnomon::measure

@@ -124,7 +124,8 @@ TEST(sampling, most_samples_are_in_the_domain) {
             const Sampler::Sample sample = sampler.draw(sampler.fixed_count() + i);
             inside += in_domain(*c, arguments(*c, sample.words, sample.mask)) ? 1 : 0;
         }
-        EXPECT_GT(inside, 300) << c->name;
+        // A form that is good on part of its quantity's domain has fewer: the inputs are the quantity's.
+        EXPECT_GT(inside, c->quantity.empty() ? 300 : 20) << c->name;
     }
 }
 

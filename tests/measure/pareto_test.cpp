@@ -42,6 +42,7 @@ TEST(pareto, errors_that_are_not_finite_are_the_largest) {
     EXPECT_THAT(by({{10, infinity}, {10, 1e9}}), ElementsAre(By{1}, By{}));
     EXPECT_THAT(by({{10, std::nan("")}, {10, 1e9}}), ElementsAre(By{1}, By{}));
     EXPECT_THAT(by({{5, std::nan("")}, {10, infinity}}), ElementsAre(By{}, By{0}));
+    EXPECT_THAT(by({{5, infinity}, {10, 1e9}}), ElementsAre(By{1}, By{})); // a fast wrong number
 }
 
 TEST(pareto, the_most_accurate_of_several_is_named) {

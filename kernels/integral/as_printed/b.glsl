@@ -1,4 +1,5 @@
-// The integral of (p·ω)(n·ω) sinθ over φ0 … φ1 and θ0 … kφ + b, exactly as printed: B0 is never a number.   [Appendix B, Equation 11]
+// The integral of (p·ω)(n·ω) sinθ over φ0 … φ1 and θ0 … kφ + b, exactly as printed: B0 is never a number.   [Appendix B,
+// Equation 11]
 #include "integral/as_printed/b0.glsl"
 #include "integral/printed/b1.glsl"
 #include "integral/printed/b2.glsl"

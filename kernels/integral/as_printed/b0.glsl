@@ -1,5 +1,5 @@
-// The integral of sin(φ + γ) sin(φ + τ) sin³θ over φ0 … φ1 and θ0 … kφ + b, exactly as printed: C4 at s = 1 divides by zero,
-// so that this is never a number.   [Appendix B, Equation 12, B0; integrals.md, section 1]
+// The integral of sin(φ + γ) sin(φ + τ) sin³θ over φ0 … φ1 and θ0 … kφ + b, exactly as printed: C4 at s = 1 divides by
+// zero, so that this is never a number.   [Appendix B, Equation 12, B0; docs/integrals.md, section 1]
 #include "integral/as_printed/c4.glsl"
 #include "integral/printed/c5.glsl"
 #include "integral/trigonometry.glslh"

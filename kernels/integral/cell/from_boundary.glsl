@@ -1,6 +1,6 @@
-// A cell under the boundary θ = kφ + b in the form that keeps its digits: (φ in the middle, half the width, and how far the
-// boundary lies above θ0 at φ0 and at φ1). The heights are rounded once: products and sums carry their errors along.
-// [Appendix B, Equation 5; integrals.md, section 3; Dekker 1971, Knuth]
+// A cell under the boundary θ = kφ + b in the form that keeps its digits: (φ in the middle, half the width, and how far
+// the boundary lies above θ0 at φ0 and at φ1). The heights are rounded once: products and sums carry their errors along.
+// [Appendix B, Equation 5; docs/integrals.md, section 3; Dekker 1971, Knuth]
 // Inputs that are not finite: 0.
 #include "integral/guard.glslh"
 

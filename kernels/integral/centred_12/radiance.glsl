@@ -1,9 +1,11 @@
-// The light that a cell of a lobe sends past a receiver: the lobe's linear fit times n·ω, over a cell under a linear boundary;
-// by Gauss–Legendre with 12 x 12 nodes, the fit about its interval's middle.   [Appendix B, Equation 5; integrals.md, section 6]
+// The light that a cell of a lobe sends past a receiver: the lobe's linear fit times n·ω, over a cell under a linear
+// boundary; by Gauss–Legendre with 12 x 12 nodes, the fit about its interval's middle.   [Appendix B, Equation 5;
+// docs/integrals.md, section 6]
 // A reversed interval of φ or θ negates the result, one of x is turned round; inputs that are not finite: 0.
 #include "integral/centred/radiance.glslh"
 
-float integral_centred_12_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda, float mu, vec2 versines) {
+float integral_centred_12_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda,
+                                   float mu, vec2 versines) {
     if (!is_answered(phi, half_width, theta0, rise, n, p, lambda, mu, versines)) return 0.0;
     return bounded(centred(lit_cell(phi, half_width, theta0, rise, n, p, lambda, mu, versines), GAUSS_12));
 }

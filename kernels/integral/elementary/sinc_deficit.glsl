@@ -1,12 +1,11 @@
-// D(x) = 1 - sin x / x without the cancellation near 0, where it is x²/6.   [integrals.md, section 3]
+// D(x) = 1 - sin x / x without the cancellation near 0, where it is x²/6.   [docs/integrals.md, section 3]
 #include "integral/trigonometry.glslh"
 
 float integral_elementary_sinc_deficit(float x) {
     float z = x * x;
     // Taylor: at 1.5 the first term left out is 1e-8 of the sum.
     precise float series =
-        z * (0.166666667 +
-             z * (-8.33333333e-3 + z * (1.98412698e-4 + z * (-2.75573192e-6 + z * 2.50521084e-8))));
+        z * (0.166666667 + z * (-8.33333333e-3 + z * (1.98412698e-4 + z * (-2.75573192e-6 + z * 2.50521084e-8))));
     // NaN is taken for 0, as sin takes it.
     return abs(x) >= 1.5 ? 1.0 - sine(x) / x : abs(x) < 1.5 ? series : 0.0;
 }

@@ -1,5 +1,6 @@
-// The integral of sin(φ + γ) sin(φ + τ) sin³θ over φ0 … φ1 and θ0 … kφ + b: exact in θ, by Gauss–Legendre with 12 nodes in φ.
-// [Appendix B, Equation 12, B0; integrals.md, section 3]
+// The integral of sin(φ + γ) sin(φ + τ) sin³θ over φ0 … φ1 and θ0 … kφ + b: exact in θ, by Gauss–Legendre with 12 nodes
+// in φ.
+// [Appendix B, Equation 12, B0; docs/integrals.md, section 3]
 // A reversed interval negates the result; inputs that are not finite: 0, or the largest float if they overflow.
 #include "integral/exact_theta/sum.glslh"
 #include "integral/guard.glslh"
@@ -7,7 +8,7 @@
 float integral_exact_theta_b0(float phi0, float phi1, float theta0, float k, float b, float gamma, float tau) {
     if (!(is_finite(vec3(phi0, phi1, theta0)) && is_finite(vec2(k, b)) && is_finite(vec2(gamma, tau)))) return 0.0;
     vec2 at_gamma = turn(gamma).yx; // sin(φ + gamma) = cos φ sin gamma + sin φ cos gamma
-    vec2 at_tau = turn(tau).yx; // sin(φ + tau) = cos φ sin tau + sin φ cos tau
+    vec2 at_tau = turn(tau).yx;     // sin(φ + tau) = cos φ sin tau + sin φ cos tau
     vec2 from = turn(theta0);
     float sum = 0.0;
     for (int i = 0; i < GAUSS_12.pairs; ++i)

@@ -1,5 +1,5 @@
 // The integral of sin(φ + γ) cosθ sin²θ over φ0 … φ1 and θ0 … kφ + b: exact in θ, by Gauss–Legendre with 12 nodes in φ.
-// [Appendix B, Equation 13, B1; integrals.md, section 3]
+// [Appendix B, Equation 13, B1; docs/integrals.md, section 3]
 // A reversed interval negates the result; inputs that are not finite: 0, or the largest float if they overflow.
 #include "integral/exact_theta/sum.glslh"
 #include "integral/guard.glslh"

@@ -1,5 +1,5 @@
 // The integral of (p·ω)(n·ω) sinθ over φ0 … φ1 and θ0 … kφ + b: exact in θ, by Gauss–Legendre with 8 nodes in φ.
-// [Appendix B, Equation 11; integrals.md, section 3]
+// [Appendix B, Equation 11; docs/integrals.md, section 3]
 // A reversed interval negates the result; inputs that are not finite: 0, or the largest float if they overflow.
 #include "integral/exact_theta/sum.glslh"
 #include "integral/guard.glslh"
@@ -12,7 +12,8 @@ float integral_exact_theta_8_b(float phi0, float phi1, float theta0, float k, fl
         for (int side = -1; side <= 1; side += 2) {
             vec2 node = GAUSS[GAUSS_8.first + i] * vec2(side, 1.0);
             Column column = column_at(phi0, phi1, theta0, k, b, from, node);
-            sum += column.weight * product_of_dots(dot(column.direction, n.xy), n.z, dot(column.direction, p.xy), p.z, column.moments);
+            sum += column.weight *
+                   product_of_dots(dot(column.direction, n.xy), n.z, dot(column.direction, p.xy), p.z, column.moments);
         }
     return bounded(sum);
 }

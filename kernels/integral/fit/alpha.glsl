@@ -1,6 +1,6 @@
-// The constant α of the lobe's linear fit α + βx: r0 - β(a+b)/2, of which the difference leaves few digits if the lobe is
-// sharp and the interval short. What is evaluated with it should be r0 + β(x - (a+b)/2) instead.
-// [Appendix A, Equation 2; integrals.md, section 4]
+// The constant α of the lobe's linear fit α + βx: r0 - β(a+b)/2, of which the difference leaves few digits if the lobe
+// is sharp and the interval short. What is evaluated with it should be r0 + β(x - (a+b)/2) instead.
+// [Appendix A, Equation 2; docs/integrals.md, section 4]
 // An interval that ends before it begins is turned round. Inputs that are not finite: 0.
 #include "integral/fit/r0.glsl"
 #include "integral/fit/beta.glsl"

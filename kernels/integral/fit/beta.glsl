@@ -1,5 +1,5 @@
 // The slope β of the lobe's linear fit α + βx: r1 over half the interval's width, without dividing by a width of 0.
-// [Appendix A, Equation 2; integrals.md, section 4]
+// [Appendix A, Equation 2; docs/integrals.md, section 4]
 // An interval that ends before it begins is turned round. Inputs that are not finite: 0.
 #include "integral/fit/lobe.glslh"
 #include "integral/fit/r1.glsl"

@@ -1,5 +1,5 @@
-// How far the lobe's linear fit is from the lobe: the integral of |G - L| over the interval of x. The lobe is convex, so the
-// line crosses it twice, at t1 and t2 of -1 … 1, and G - L integrates to 0 over the whole: with W an antiderivative
+// How far the lobe's linear fit is from the lobe: the integral of |G - L| over the interval of x. The lobe is convex, so
+// the line crosses it twice, at t1 and t2 of -1 … 1, and G - L integrates to 0 over the whole: with W an antiderivative
 // the sum of the three parts is 2 (W(t1) - W(t2)). W is flat where the line crosses, so a crossing known to 1e-4 is
 // known well enough.   [Appendix A, Equation 3 read as the L1 norm]
 // An interval that ends before it begins is turned round. Inputs that are not finite: 0.
@@ -9,7 +9,7 @@
 // i_n / i_(n-1) = m / (2n+1 + m i_(n+1)/i_n) need no powers of m. In units of 5 i_2: (value, slope).
 const int HARMONICS = 14;
 vec2 remainder_at(float ratio[HARMONICS + 1], float t) {
-    float before = t, here = 1.5 * t * t - 0.5;    // P_1, P_2
+    float before = t, here = 1.5 * t * t - 0.5;     // P_1, P_2
     float slope_before = 1.0, slope_here = 3.0 * t; // their derivatives
     float weight = 1.0;
     vec2 sum = vec2(0.0);

@@ -1,5 +1,5 @@
 // How far the lobe's linear fit is from the lobe: the root of the integral of (G - L)² over the interval of x.
-// [Appendix A, Equation 3 read as the L2 norm; integrals.md, section 4]
+// [Appendix A, Equation 3 read as the L2 norm; docs/integrals.md, section 4]
 // An interval that ends before it begins is turned round. Inputs that are not finite: 0.
 #include "integral/fit/lobe.glslh"
 
@@ -19,13 +19,11 @@ float integral_fit_l2(vec2 versines, float lambda, float mu) {
                                  z * (2.29290958e-10 +
                                       z * (2.82107809e-12 +
                                            z * (2.79868858e-14 +
-                                                z * (2.28803972e-16 +
-                                                     z * (1.56894152e-18 + z * 9.15656106e-21))))))))));
+                                                z * (2.28803972e-16 + z * (1.56894152e-18 + z * 9.15656106e-21))))))))));
     float low = abs(lobe.peak) * exponential(-m) * z * sqrt(lobe.q * series);
     float r = 1.0 / m, e2 = exponential(-2.0 * m), e4 = exponential(-4.0 * m);
     precise float squared =
-        r * (0.5 * (1.0 - e4) -
-             r * (2.0 * (1.0 + e4) - r * (3.0 * (1.0 - e4) - r * (1.5 * (1.0 + e4)))) -
+        r * (0.5 * (1.0 - e4) - r * (2.0 * (1.0 + e4) - r * (3.0 * (1.0 - e4) - r * (1.5 * (1.0 + e4)))) -
              r * (2.0 - 3.0 * r * r) * e2);
     float high = abs(lobe.peak) * sqrt(lobe.q * max(squared, 0.0));
     return bounded(m <= 3.0 ? low : high);

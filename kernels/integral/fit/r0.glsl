@@ -1,5 +1,5 @@
-// The mean of the lobe μ e^(λ(x-1)) over an interval of x, given by its versines (1 - a, 1 - b): the constant term r0 of its
-// linear fit.   [Appendix A, Equation 1; integrals.md, section 4]
+// The mean of the lobe μ e^(λ(x-1)) over an interval of x, given by its versines (1 - a, 1 - b): the constant term r0 of
+// its linear fit.   [Appendix A, Equation 1; docs/integrals.md, section 4]
 // An interval that ends before it begins is turned round. Inputs that are not finite: 0.
 #include "integral/fit/lobe.glslh"
 #include "integral/elementary/exprel.glsl"

@@ -1,5 +1,5 @@
 // The slope r1 of the lobe's linear fit, over half the interval: r0 + r1 t for t = -1 … 1.
-// [Appendix A, Equation 1; integrals.md, section 4]
+// [Appendix A, Equation 1; docs/integrals.md, section 4]
 // An interval that ends before it begins is turned round. Inputs that are not finite: 0.
 #include "integral/fit/lobe.glslh"
 

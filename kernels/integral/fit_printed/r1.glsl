@@ -1,5 +1,5 @@
-// The slope r1 of the lobe's linear fit over half the interval (a, b), as printed: the difference of two nearly equal terms
-// over (λq)².   [Appendix A, Equation 1]
+// The slope r1 of the lobe's linear fit over half the interval (a, b), as printed: the difference of two nearly equal
+// terms over (λq)².   [Appendix A, Equation 1]
 #include "integral/fit_printed/lobe.glslh"
 
 float integral_fit_printed_r1(vec2 ends, float lambda, float mu) {

@@ -1,6 +1,6 @@
 // The interval (a, b) of the dot product with p̂ over a cell as Appendix A has it: the least and greatest at the four
 // corners, b = 1 if the axis lies in the cell, a = -1 if its opposite does. It is no bound: an edge can reach further
-// than its corners.   [Appendix A; integrals.md, section 5]
+// than its corners.   [Appendix A; docs/integrals.md, section 5]
 #include "integral/trigonometry.glslh"
 #include "integral/guard.glslh"
 #include "integral/interval/arc.glslh"

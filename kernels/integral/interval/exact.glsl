@@ -1,6 +1,6 @@
-// The interval (a, b) that the dot product with p̂ = p/|p| takes over a cell. For each φ it is a wave in θ, whose amplitude
-// p_x cosφ + p_y sinφ is a wave in φ; sinθ is nowhere negative, so a larger amplitude never gives a smaller
-// product: the extremes over φ first, then over θ.   [integrals.md, section 5]
+// The interval (a, b) that the dot product with p̂ = p/|p| takes over a cell. For each φ it is a wave in θ, whose
+// amplitude p_x cosφ + p_y sinφ is a wave in φ; sinθ is nowhere negative, so a larger amplitude never gives a smaller
+// product: the extremes over φ first, then over θ.   [docs/integrals.md, section 5]
 // Continuous when the axis crosses a cell's edge, which the four corners are not. Inputs that are not finite: the whole
 // interval (-1, 1).
 #include "integral/trigonometry.glslh"

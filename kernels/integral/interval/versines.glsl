@@ -1,6 +1,6 @@
 // The versines (1 - a, 1 - b) of the interval that the dot product with p̂ = p/|p| takes over a cell: half the squared
-// distances of the unit sphere's farthest and nearest point from p̂, so that they keep their digits where the lobe's axis is
-// close.   [integrals.md, sections 4 and 5]
+// distances of the unit sphere's farthest and nearest point from p̂, so that they keep their digits where the lobe's
+// axis is close.   [docs/integrals.md, sections 4 and 5]
 // Inputs that are not finite: the whole interval, (2, 0).
 #include "integral/trigonometry.glslh"
 #include "integral/guard.glslh"
@@ -34,8 +34,7 @@ vec2 integral_interval_versines(float phi, float half_width, vec2 theta, vec3 p)
     p = normalize(p / largest);
     if (theta.y < theta.x) theta = theta.yx;
     Arcs arcs = arcs_of(phi, half_width, theta);
-    vec3 turned =
-        vec3(p.x * arcs.middle.x + p.y * arcs.middle.y, p.y * arcs.middle.x - p.x * arcs.middle.y, p.z);
+    vec3 turned = vec3(p.x * arcs.middle.x + p.y * arcs.middle.y, p.y * arcs.middle.x - p.x * arcs.middle.y, p.z);
     vec2 first = turn(theta.x), last = turn(theta.y);
     return clamp(vec2(versine_at(turned, -1.0, arcs.ends, first, last, arcs.middle_t, arcs.ends_t),
                       versine_at(turned, 1.0, arcs.ends, first, last, arcs.middle_t, arcs.ends_t)),

@@ -1,10 +1,12 @@
-// The light that a cell of a lobe sends past a receiver: the lobe's linear fit times n·ω, over a cell under a linear boundary;
-// by as many columns as the fastest wave in φ turns: sin³θ over the boundary's gain, and two dot products over the width.
-// [Appendix B, Equation 5; integrals.md, sections 3 and 6]
+// The light that a cell of a lobe sends past a receiver: the lobe's linear fit times n·ω, over a cell under a linear
+// boundary; by as many columns as the fastest wave in φ turns: sin³θ over the boundary's gain, and two dot products over
+// the width.
+// [Appendix B, Equation 5; docs/integrals.md, sections 3 and 6]
 // A reversed interval of φ or θ negates the result, one of x is turned round; inputs that are not finite: 0.
 #include "integral/columns/radiance.glslh"
 
-float integral_mix_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda, float mu, vec2 versines) {
+float integral_mix_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda, float mu,
+                            vec2 versines) {
     if (!is_answered(phi, half_width, theta0, rise, n, p, lambda, mu, versines)) return 0.0;
     LitCell cell = lit_cell(phi, half_width, theta0, rise, n, p, lambda, mu, versines);
     // Radians of that wave on half the width, and the nodes that leave 1e-7 of it (the most is 3π/2 + 2π).

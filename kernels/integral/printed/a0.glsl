@@ -6,5 +6,5 @@
 
 float integral_printed_a0(float phi0, float phi1, float theta0, float k, float b, float tau) {
     return 0.25 * (2.0 * k * integral_printed_c3(phi0, phi1, tau) - integral_printed_c4(phi0, phi1, tau, 2.0 * k, 2.0 * b) +
-                    (2.0 * b - 2.0 * theta0 + sine(2.0 * theta0)) * integral_printed_c1(phi0, phi1, tau));
+                   (2.0 * b - 2.0 * theta0 + sine(2.0 * theta0)) * integral_printed_c1(phi0, phi1, tau));
 }

@@ -3,8 +3,7 @@
 #include "integral/trigonometry.glslh"
 
 float c5_antiderivative(float phi, float p, float q, float s, float t) {
-    return sine(s * phi + t) * cosine(p - q) / (2.0 * s) -
-           sine((s - 2.0) * phi + t - p - q) / (4.0 * (s - 2.0)) -
+    return sine(s * phi + t) * cosine(p - q) / (2.0 * s) - sine((s - 2.0) * phi + t - p - q) / (4.0 * (s - 2.0)) -
            sine((s + 2.0) * phi + t + p + q) / (4.0 * (s + 2.0));
 }
 

@@ -1,12 +1,13 @@
-// The light that a cell of a lobe sends past a receiver: the lobe's linear fit times n·ω, over a cell under a linear boundary;
-// as printed, by α, β, k and b.   [Appendix B, Equation 5]
+// The light that a cell of a lobe sends past a receiver: the lobe's linear fit times n·ω, over a cell under a linear
+// boundary; as printed, by α, β, k and b.   [Appendix B, Equation 5]
 #include "integral/fit_printed/alpha.glsl"
 #include "integral/fit_printed/beta.glsl"
 #include "integral/printed/a.glsl"
 #include "integral/printed/b.glsl"
 #include "integral/printed/cell.glslh"
 
-float integral_printed_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda, float mu, vec2 versines) {
+float integral_printed_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda,
+                                float mu, vec2 versines) {
     PrintedCell cell = printed_cell(phi, half_width, theta0, rise, versines);
     float alpha = integral_fit_printed_alpha(cell.ends, lambda, mu);
     float beta = integral_fit_printed_beta(cell.ends, lambda, mu);

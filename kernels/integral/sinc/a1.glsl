@@ -1,4 +1,5 @@
-// The integral of cosθ sinθ over φ0 … φ1 and θ0 … kφ + b, by its mean values.   [Appendix B, Equation 10, A1; integrals.md, section 3]
+// The integral of cosθ sinθ over φ0 … φ1 and θ0 … kφ + b, by its mean values.   [Appendix B, Equation 10, A1;
+// docs/integrals.md, section 3]
 // A reversed interval negates the result; inputs that are not finite: 0, or the largest float if they overflow.
 #include "integral/guard.glslh"
 #include "integral/sinc/wave.glslh"

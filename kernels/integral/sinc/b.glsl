@@ -11,7 +11,7 @@ float integral_sinc_b(float phi0, float phi1, float theta0, float k, float b, ve
     // x first: (p_x cosφ + p_y sinφ) = u sin(φ + γ).
     float u_p = length(p.xy), gamma = atan(p.x, p.y), u_n = length(n.xy), tau = atan(n.x, n.y);
     return bounded(u_p * u_n * integral_sinc_b0(phi0, phi1, theta0, k, b, gamma, tau) +
-           u_p * n.z * integral_sinc_b1(phi0, phi1, theta0, k, b, gamma) +
-           p.z * u_n * integral_sinc_b2(phi0, phi1, theta0, k, b, tau) +
-           p.z * n.z * integral_sinc_b3(phi0, phi1, theta0, k, b));
+                   u_p * n.z * integral_sinc_b1(phi0, phi1, theta0, k, b, gamma) +
+                   p.z * u_n * integral_sinc_b2(phi0, phi1, theta0, k, b, tau) +
+                   p.z * n.z * integral_sinc_b3(phi0, phi1, theta0, k, b));
 }

@@ -1,4 +1,4 @@
-// The integral of sin(φ + p) over φ0 … φ1.   [Appendix B, Equation 7, C1; integrals.md, section 3]
+// The integral of sin(φ + p) over φ0 … φ1.   [Appendix B, Equation 7, C1; docs/integrals.md, section 3]
 // A reversed interval negates the result; inputs that are not finite: 0, or the largest float if they overflow.
 #include "integral/guard.glslh"
 #include "integral/sinc/wave.glslh"

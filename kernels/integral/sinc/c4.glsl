@@ -1,5 +1,5 @@
 // The integral of sin(φ + p) sin(sφ + t) over φ0 … φ1: two waves, the product's difference and sum.
-// [Appendix B, Equation 7, C4; integrals.md, section 3]
+// [Appendix B, Equation 7, C4; docs/integrals.md, section 3]
 // A reversed interval negates the result; inputs that are not finite: 0, or the largest float if they overflow.
 #include "integral/guard.glslh"
 #include "integral/sinc/wave.glslh"

@@ -1,5 +1,5 @@
-// The light that a cell of a lobe sends past a receiver: the lobe's linear fit times n·ω, over a cell under a linear boundary;
-// by waves without a division, but by α, k and b.   [Appendix B, Equation 5; integrals.md, section 3]
+// The light that a cell of a lobe sends past a receiver: the lobe's linear fit times n·ω, over a cell under a linear
+// boundary; by waves without a division, but by α, k and b.   [Appendix B, Equation 5; docs/integrals.md, section 3]
 // A reversed interval of φ or θ negates the result, one of x is turned round; inputs that are not finite: 0.
 #include "integral/fit/alpha.glsl"
 #include "integral/fit/beta.glsl"
@@ -8,7 +8,8 @@
 #include "integral/sinc/a.glsl"
 #include "integral/sinc/b.glsl"
 
-float integral_sinc_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda, float mu, vec2 versines) {
+float integral_sinc_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda, float mu,
+                             vec2 versines) {
     if (!(is_finite(vec3(phi, half_width, theta0)) && is_finite(rise) && is_finite(n) && is_finite(p) &&
           is_finite(vec2(lambda, mu)) && is_finite(versines)))
         return 0.0;
