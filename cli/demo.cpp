@@ -1,5 +1,7 @@
 #include "casegen/census.h"
 #include "casegen/demo_scene.h"
+#include "casegen/measure/bench.h"
+#include "casegen/measure/report.h"
 #include "casegen/standalone.h"
 #include "casegen/technique.h"
 #include "cli/atlas_page.h"
@@ -13,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 
 namespace gnomon::cli {
@@ -49,6 +52,22 @@ int check_all(const Common& common, atlas::Census census, const std::filesystem:
     return atlas.passes() ? 0 : 1;
 }
 
+/// Error against run time of the radiance's forms, as `bench` measures it, in less time.
+std::filesystem::path measure_radiance(const std::filesystem::path& folder, const Common& common) {
+    measure::BenchOptions options;
+    options.samples = 512;
+    options.repeats = 2;
+    options.rounds = 3;
+    options.kernels = common.kernels;
+    options.device = common.device;
+    Progress progress("measuring");
+    measure::write_report(folder,
+                          measure::bench(measure::group(measure::find_variants("integral/radiance"),
+                                                        std::array{Trigonometry::portable}, common.kernels),
+                                         options, [&](std::size_t done) { progress.show(done, 1); }));
+    return folder / "report.html";
+}
+
 /// Against the light, so that the shadows of fence and lattice fall towards the viewer.
 Camera demo_camera(const Scene& scene) {
     Camera camera = default_camera(scene.bounds(), 1);
@@ -80,6 +99,7 @@ int run(const std::filesystem::path& folder, const Common& common, const std::st
     require_writable(report_path);
 
     const std::filesystem::path page = require_atlas_folder(folder / "atlas", common);
+    measure::require_report_folder(folder / "radiance");
 
     const Scene scene = demo_scene();
     const Camera camera = demo_camera(scene);
@@ -90,6 +110,7 @@ int run(const std::filesystem::path& folder, const Common& common, const std::st
 
     nlohmann::ordered_json report{{"gnomon", GNOMON_VERSION}};
     const int exit_code = check_all(common, census_of(renderer), page, replay, report);
+    const std::filesystem::path radiance = measure_radiance(folder / "radiance", common);
     std::vector<Judged> all;
     std::vector<std::string> names = technique_names();
     const Rendering truth = renderer.render(technique_by_name("raytraced"));
@@ -118,17 +139,21 @@ int run(const std::filesystem::path& folder, const Common& common, const std::st
     write_file(report_path, report.dump(2) + "\n");
     fmt::print("{} x {} pixels, shadow map {}, {} triangles, {}\n{}", settings.width, settings.height,
                settings.shadow_map, scene.triangles.size(), device.info().name, judged_table(all));
-    fmt::print("\npictures and report.json are in {}, every case in {}\n", folder.string(), page.string());
+    fmt::print("\npictures and report.json are in {}, every case in {}, the radiance's forms in {}\n",
+               folder.string(), page.string(), radiance.string());
     return exit_code;
 }
 
 } // namespace
 
 void add_demo(CLI::App& app, Common& common, int& exit_code) {
-    CLI::App* verb = app.add_subcommand("demo", "check every kernel, show every case in an atlas, render the "
-                                                "demo scene with every technique and judge it");
+    CLI::App* verb =
+        app.add_subcommand("demo", "check every kernel, show every case in an atlas, measure the "
+                                   "radiance's forms, render the demo scene with every "
+                                   "technique and judge it");
     auto folder = std::make_shared<std::filesystem::path>("out/demo");
-    verb->add_option("--out", *folder, "folder for pictures, report.json and atlas/index.html")
+    verb->add_option("--out", *folder,
+                     "folder for pictures, report.json, atlas/index.html and radiance/report.html")
         ->capture_default_str();
     verb->callback(
         [folder, &app, &common, &exit_code] { exit_code = run(*folder, common, replay_options(app)); });

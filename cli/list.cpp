@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace gnomon::cli {
@@ -12,7 +13,10 @@ void add_list(CLI::App& app, Common&) {
     auto pattern = std::make_shared<std::string>();
     verb->add_option("PATTERN", *pattern, "part of a name, or a pattern with * and ?");
     verb->callback([pattern] {
-        for (const Case* c : find_cases(*pattern)) fmt::print("{:<28}{}\n", c->name, c->source);
+        const std::vector<const Case*> cases = find_cases(*pattern);
+        std::size_t width = 0;
+        for (const Case* c : cases) width = std::max(width, c->name.size());
+        for (const Case* c : cases) fmt::print("{:<{}}  {}\n", c->name, width, c->source);
     });
 }
 
