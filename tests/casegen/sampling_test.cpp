@@ -125,7 +125,7 @@ TEST(sampling, most_samples_are_in_the_domain) {
             inside += in_domain(*c, arguments(*c, sample.words, sample.mask)) ? 1 : 0;
         }
         // A form that is good on part of its quantity's domain has fewer: the inputs are the quantity's.
-        EXPECT_GT(inside, c->quantity.empty() ? 300 : 20) << c->name;
+        EXPECT_GT(inside, c->quantity.empty() ? 300 : 10) << c->name;
     }
 }
 
