@@ -52,7 +52,7 @@ bool is_gentle(const Arguments& arguments) {
     const auto& n = arguments.numbers;
     const double q = 0.5 * (n[1] - n[0]), m = n[2] * q;
     // …nor exp, of whichever end, denormal.
-    return q > 0.01 && m > 0.5 && m < 40 && n[2] * (1 - n[0]) < 80;
+    return q > 0.01 && m > 0.5 && m < 40 && std::abs(n[3]) * std::exp(-n[2] * (1 - n[0])) > 1e-30;
 }
 
 Quantity of_cell(const char* name, const char* source, Reference reference, double lower, double upper,
