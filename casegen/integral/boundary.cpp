@@ -19,7 +19,7 @@ constexpr double pi = std::numbers::pi;
 std::vector<Parameter> cell() {
     return {{"phi0", {-7000, 7000, {}}, "radians", "the azimuth where the cell begins, from x towards y"},
             {"phi1", {-7000, 7000, {}}, "radians", "where it ends"},
-            {"theta0", {0, pi, {}}, "radians", "the edge towards the pole, from the pole"},
+            {"theta0", {0, nearest_pi, {}}, "radians", "the edge towards the pole, from the pole"},
             {"k", {-1e7, 1e7, {}}, "1", "the boundary's slope: theta = k phi + b"},
             {"b", {-1e9, 1e9, {}}, "radians", "the boundary's height at azimuth 0"}};
 }
@@ -154,7 +154,7 @@ std::vector<Case> boundary_cases() {
             [](double theta) {
                 return static_cast<double>(std::numbers::pi_v<long double> - static_cast<long double>(theta));
             },
-        .parameters = {{"theta", {0, 3.1415927, {}}, "radians", "the angle from the pole"}},
+        .parameters = {{"theta", {0, nearest_pi, {}}, "radians", "the angle from the pole"}},
         .result = {-largest, largest, "radians", "the angle from the opposite pole"},
         .tolerance = ulps(2),
         .rule = "an input that is not finite gives 0",

@@ -27,6 +27,8 @@ Case as_printed(Case c, std::function<bool(const Arguments&)> ordinary);
 Case good_where(Case c, std::function<bool(const Arguments&)> ordinary);
 
 constexpr double largest = 0x1.fffffep127; ///< the largest float
+constexpr double nearest_pi =
+    0x1.921fb6p1; ///< the float next to π, which is greater: a domain up to π holds it
 
 // The tables, of all forms.
 std::vector<Case> elementary_cases(); ///< sin, exp, …
