@@ -19,11 +19,18 @@ vec2 exact_product(float x, float y) {
     precise float error = ((high * high_y - product) + high * low_y + low * high_y) + low * low_y;
     return vec2(product, error);
 }
+// kφ + b - θ0: the exact terms added over and over, each sum's error kept in its place, until no more than one rounding
+// is left (Ogita, Rump and Oishi 2005).
 float height(float k, float phi, float b, float theta0) {
-    vec2 product = exact_product(k, phi);
-    vec2 floor_to_b = exact_sum(b, -theta0);
-    vec2 sum = exact_sum(product.x, floor_to_b.x);
-    precise float result = sum.x + (sum.y + (product.y + floor_to_b.y));
+    vec2 product = exact_product(k, phi), above = exact_sum(b, -theta0);
+    float terms[4] = float[](product.y, above.y, product.x, above.x);
+    for (int pass = 0; pass < 3; ++pass)
+        for (int i = 1; i < 4; ++i) {
+            vec2 sum = exact_sum(terms[i], terms[i - 1]);
+            terms[i] = sum.x;
+            terms[i - 1] = sum.y;
+        }
+    precise float result = terms[3] + (terms[2] + (terms[1] + terms[0]));
     return result;
 }
 
