@@ -122,9 +122,9 @@ std::vector<Case> boundary_cases() {
             const auto& v = arguments.numbers;
             return (3 * std::abs(v[3]) + 2) * 0.5 * std::abs(v[1] - v[0]) <= most;
         };
-        cases.push_back(good_where(in_form("exact_theta_4", q, conditioned(8)),
+        cases.push_back(good_where(in_form("exact_theta_4", q, conditioned(16)),
                                    [turns](const Arguments& with) { return turns(with, 0.6); }));
-        cases.push_back(good_where(in_form("exact_theta_8", q, conditioned(8)),
+        cases.push_back(good_where(in_form("exact_theta_8", q, conditioned(16)),
                                    [turns](const Arguments& with) { return turns(with, 4); }));
     }
     for (const char* name : {"b0", "b"}) {

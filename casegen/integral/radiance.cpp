@@ -55,13 +55,14 @@ Shape shape_of(const Arguments& arguments) {
             n[11],
             0.5 * std::abs(n[13] - n[14])};
 }
-/// Neither narrow nor near a pole nor a slab, under a lobe as wide.
+/// Neither narrow nor near a pole nor a slab, under a lobe as wide and no brighter than 2.
 bool is_wide(const Arguments& arguments) {
     const Shape s = shape_of(arguments);
     const auto is_inner = [](double theta) { return theta > 0.3 && theta < pi - 0.3; };
     return s.half_width > 0.1 && std::abs(arguments.numbers[0]) < 20 && is_inner(s.theta0) &&
            is_inner(s.first) && is_inner(s.last) && std::abs(0.5 * (s.first + s.last) - s.theta0) > 0.2 &&
-           s.q > 0.1 && s.lambda < 40 && std::abs(s.last - s.first) < 5 * s.half_width;
+           s.q > 0.1 && s.lambda < 40 && std::abs(s.last - s.first) < 5 * s.half_width &&
+           std::abs(arguments.numbers[12]) < 2;
 }
 bool is_far_from_loci(const Arguments& arguments) {
     const Shape s = shape_of(arguments);
