@@ -81,7 +81,7 @@ std::vector<Case> elementary_cases() {
             .name = "integral/elementary/exprel",
             .source = "docs/integrals.md, section 4",
             .reference = [](double x) { return x == 0 ? 1 : -std::expm1(-x) / x; },
-            .parameters = {{"x", {-80, 1e6, {}}, "1", "the exponent"}},
+            .parameters = {{"x", {0, 1e6, {}}, "1", "the exponent"}},
             .result = {0, largest, "1", "(1 - e^-x) / x, the mean of e^-t over 0 to x"},
             .tolerance = ulps(8),
         },
