@@ -354,7 +354,7 @@ void set_versines(Span n) {
     n[13] = std::clamp(1 + dot_highest(as_float(n[0]), as_float(n[1]), low, high, -p), 0.0, 2.0);
     n[14] = std::clamp(1 - dot_highest(as_float(n[0]), as_float(n[1]), low, high, p), 0.0, 2.0);
     // A lobe of which nothing is left teaches nothing.
-    if (n[11] * n[14] > 80) n[11] = 80 / n[14];
+    if (n[11] * n[14] > 60) n[11] = 60 / n[14];
 }
 double low_theta(Span n) { return std::min({n[2], n[2] + n[3], n[2] + n[4]}); }
 double high_theta(Span n) { return std::max({n[2], n[2] + n[3], n[2] + n[4]}); }
@@ -497,15 +497,19 @@ std::shared_ptr<const Generator> waves(int phases, bool wave) {
     add("phi1 - phi0 = 0", "narrow",
         [](Random& random, double d, Span n) { n[1] = n[0] + about(random, d); });
     add("phi1 - phi0 = 2 pi", "full turn", [](Random&, double d, Span n) { n[1] = n[0] + 2 * pi - d; });
-    add("1/phi = 0", "offset", [](Random& random, double d, Span n) {
-        const double shift = either(random, 2 * pi * std::round(inverse(d, most_turns)));
+    add("1/phi = 0", "offset", [s, wave](Random& random, double d, Span n) {
+        // No further than the second wave is known.
+        const double most = 7000 / (2 * pi * (wave ? std::abs(n[s]) + 2 : 1));
+        const double shift = either(random, 2 * pi * std::floor(inverse(d, std::min(most, most_turns))));
         n[0] += shift;
         n[1] += shift;
     });
     if (wave)
         add("1/s = 0", "fast", [s](Random& random, double d, Span n) {
-            n[s] = either(random, inverse(d, 1e4));
-            n[1] = n[0] + uniform(random, 0.3, 1) * pi / std::abs(n[s]);
+            const double frequency = inverse(d, 1e4);
+            n[s] = either(random, frequency);
+            n[0] = about(random, 3 * pi / frequency);
+            n[1] = n[0] + uniform(random, 0.3, 1) * pi / frequency;
         });
     return generator;
 }
