@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace gnomon {
 namespace {
 
@@ -141,6 +143,30 @@ TEST(elementary, sine_is_odd_and_cosine_even_to_the_last_bit) {
         for (std::size_t i = 0; i < rows.size(); ++i) different += one[i] == sign * other[i] ? 0 : 1;
         // Half way between two multiples of π/2 either of them may be taken off.
         EXPECT_LT(different, 10u) << kernel;
+    }
+}
+
+// What a compiler may fuse to one rounding gives other bits on other devices.
+TEST(elementary, no_product_may_be_fused_with_a_sum) {
+    constexpr std::uint32_t decorate = 71, no_contraction = 42, add = 129, subtract = 131, multiply = 133;
+    for (const char* name : {"sin", "cos", "turn", "exp"}) {
+        const Case& c = find_case(fmt::format("integral/elementary/{}", name));
+        const glsl::Spirv words = compile_standalone(c, kernel_sources(testing::kernels_folder()));
+        std::set<std::uint32_t> kept, products;
+        const auto for_each = [&](auto&& visit) { // (opcode, words of the instruction), behind the header
+            for (std::size_t at = 5; at < words.size(); at += words[at] >> 16)
+                visit(words[at] & 0xffffu, std::span(words).subspan(at, words[at] >> 16));
+        };
+        for_each([&](std::uint32_t op, std::span<const std::uint32_t> instruction) {
+            if (op == decorate && instruction[2] == no_contraction) kept.insert(instruction[1]);
+            if (op == multiply) products.insert(instruction[2]);
+        });
+        for_each([&](std::uint32_t op, std::span<const std::uint32_t> instruction) {
+            if (op != add && op != subtract) return;
+            const bool of_product = products.contains(instruction[3]) || products.contains(instruction[4]);
+            EXPECT_TRUE(!of_product || kept.contains(instruction[2])) << c.name;
+        });
+        EXPECT_FALSE(products.empty()) << c.name;
     }
 }
 
