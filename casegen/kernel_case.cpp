@@ -36,7 +36,7 @@ std::string to_string(const Tolerance& tolerance) {
     case Tolerance::Kind::input_within:
         return fmt::format("input within {:.3g}", tolerance.amount);
     case Tolerance::Kind::conditioned:
-        return fmt::format("{:.3g} x conditioning", tolerance.amount);
+        return fmt::format("{:.4g} x conditioning", tolerance.amount);
     case Tolerance::Kind::exact:
         break;
     }

@@ -33,7 +33,8 @@ bool is_lobe_of_ends(const Arguments& arguments);
 std::shared_ptr<const Generator> cells_and_axes();
 bool is_cell_and_axis(const Arguments& arguments);
 
-/// phi, half, theta0, rise (2), n (3), p (3), lambda, mu, versines (2).
+/// phi, half, theta0, rise (2), n (3), p (3), lambda, mu, versines (2). The versines hold all that x = p̂·ω
+/// does in the cell.
 std::shared_ptr<const Generator> lit_cells();
 bool is_lit_cell(const Arguments& arguments);
 

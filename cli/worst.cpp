@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <memory>
 
@@ -34,6 +35,8 @@ std::string describe_error(const Case& c, const std::vector<worst::Row>& rows) {
 
 int run(const Options& options, const Common& common, const std::string& replay) {
     const Case& c = find_case(options.kernel);
+    if (!c.fails.empty()) throw Error("{} must fail, nothing is to be searched: {}", c.name, c.fails);
+    if (std::isnan(options.search.seconds)) throw Error("--seconds nan: not a number of seconds");
     const std::filesystem::path path = worst::file_of(options.folder, c);
     require_kernels(common.kernels);
     worst::require_worst_file(path);

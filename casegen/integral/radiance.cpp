@@ -13,31 +13,34 @@ using glm::dvec2, glm::dvec3;
 constexpr double pi = std::numbers::pi;
 
 Quantity radiance() {
-    return {"radiance",
-            "Analytic Double Product Integrals, Appendix B, Equation 5",
-            reference_by<double(double, double, double, dvec2, dvec3, dvec3, double, double, dvec2)>(
-                reference::integral::radiance),
-            {{"phi", {-7000, 7000, {}}, "radians", "azimuth of the cell's middle, from x towards y"},
-             {"half_width", {-nearest_pi, nearest_pi, {}}, "radians", "half the cell's width in azimuth"},
-             {"theta0", {0, nearest_pi, {}}, "radians", "the edge towards the pole, from the pole"},
-             {"rise",
-              {-nearest_pi, nearest_pi, {}},
-              "radians",
-              "how far the boundary lies from theta0, at either end"},
-             {"n", {-1, 1, {}}, "1", "the receiver's normal, in the cell's frame"},
-             {"p", {-1, 1, {}}, "1", "the lobe's axis in the cell's frame; it is scaled to length 1"},
-             {"lambda", {0, 1e8, {}}, "1", "the lobe's sharpness: mu e^(lambda (x - 1))"},
-             {"mu", {-1e6, 1e6, {}}, "radiance", "the lobe's height"},
-             {"versines",
-              {0, 2, {}},
-              "1",
-              "1 - a and 1 - b of the interval a to b of x = p.w that the fit is made for"}},
-            {-largest, largest, "radiance x steradians",
-             "the fit of the lobe times n.w, over the cell under its boundary"},
-            stiffness::lit_cells(),
-            stiffness::is_lit_cell,
-            "a reversed interval of phi or theta negates, one of x is turned round; an input that is not "
-            "finite gives 0"};
+    return {
+        "radiance",
+        "Analytic Double Product Integrals, Appendix B, Equation 5",
+        reference_by<double(double, double, double, dvec2, dvec3, dvec3, double, double, dvec2)>(
+            reference::integral::radiance),
+        {{"phi", {-7000, 7000, {}}, "radians", "azimuth of the cell's middle, from x towards y"},
+         {"half_width", {-nearest_pi, nearest_pi, {}}, "radians", "half the cell's width in azimuth"},
+         {"theta0", {0, nearest_pi, {}}, "radians", "the edge towards the pole, from the pole"},
+         {"rise",
+          {-nearest_pi, nearest_pi, {}},
+          "radians",
+          "how far the boundary lies from theta0, at either end"},
+         {"n", {-1, 1, {}}, "1", "the receiver's normal, in the cell's frame"},
+         {"p", {-1, 1, {}}, "1", "the lobe's axis in the cell's frame; it is scaled to length 1"},
+         {"lambda", {0, 1e8, {}}, "1", "the lobe's sharpness: mu e^(lambda (x - 1))"},
+         {"mu", {-1e6, 1e6, {}}, "radiance", "the lobe's height"},
+         {"versines",
+          {0, 2, {}},
+          "1",
+          "1 - a and 1 - b of the interval a to b that the fit is made for: x = p.w in all of the cell lies "
+          "in it"}},
+        {-largest, largest, "radiance x steradians",
+         "the fit of the lobe times n.w, over the cell under its boundary"},
+        stiffness::lit_cells(),
+        stiffness::is_lit_cell,
+        "half_width below 0 is the cell from its other end, rise.x first, and negates, as does a boundary "
+        "below theta0; versines are turned round; an input that is not finite gives 0; a result beyond the "
+        "floats is the largest or, where such cancel, 0; p must not be 0"};
 }
 
 struct Shape { // of a cell, in radians

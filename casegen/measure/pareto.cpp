@@ -13,8 +13,9 @@ double error_of(const Point& point) {
 
 bool dominates(const Point& a, const Point& b, double noise) {
     if (std::isinf(error_of(b)) && !std::isinf(error_of(a))) return true;
-    const bool slower = a.time > b.time * (1 + noise), faster = a.time * (1 + noise) < b.time;
-    return !slower && error_of(a) <= error_of(b) && (faster || error_of(a) < error_of(b));
+    const bool faster = a.time * (1 + noise) < b.time;
+    return (faster && error_of(a) <= same_error * error_of(b)) ||
+           (a.time <= b.time && same_error * error_of(a) < error_of(b));
 }
 
 } // namespace

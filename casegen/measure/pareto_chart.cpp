@@ -77,11 +77,13 @@ std::string pareto_chart(const GroupResult& result) {
             result.has_limit ? "as a fraction of the scale ∫|f|" : "in " + result.unit, result.inputs,
             timings.inputs),
         "fill=\"#5d6470\"");
-    svg.text(margin, margin + 43,
-             fmt::format("Hollow: dominated by a variant that is no slower beyond the noise ({:.0f} %) and "
-                         "no less accurate.",
-                         100 * timings.noise()),
-             "fill=\"#5d6470\"");
+    svg.text(
+        margin, margin + 43,
+        fmt::format(
+            "Hollow: dominated by a variant that is faster beyond the noise ({:.0f} %), or no slower, and "
+            "no less accurate.",
+            100 * timings.noise()),
+        "fill=\"#5d6470\"");
     for (std::size_t n = 0; n < variants; ++n) {
         const double x = margin + static_cast<double>(n % per_line) * entry;
         const double y = margin + 66 + row * static_cast<double>(n / per_line);

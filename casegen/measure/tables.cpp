@@ -228,8 +228,8 @@ std::vector<std::string> remarks(const Bench& bench) {
         lines.emplace_back("Errors of kernels without a truth are in their tolerance's own unit.");
     lines.emplace_back("Results that are not finite count as larger than every error.");
     if (any([](const GroupResult& r) { return !r.dominated[1].empty() && r.group.variants.size() > 1; }))
-        lines.emplace_back(
-            "Dominated: another variant is no slower beyond the noise and its 99 % error is no larger.");
+        lines.emplace_back("Dominated: another variant is faster beyond the noise and no less accurate (99 "
+                           "%), or no slower and more accurate.");
     if (bench.options.rounds > 0)
         lines.push_back(
             fmt::format("Times are medians of {} rounds in which all variants took turns, wall time of the "

@@ -59,7 +59,11 @@ std::span<const AxisLocus> axis_loci() { return loci_of_axes; }
 std::shared_ptr<const Generator> cells_and_axes() {
     auto generator = std::make_shared<Generator>();
     generator->name = "cells and axes";
-    generator->draw = draw_cell_and_axis;
+    generator->draw = [](Random& random, Span n) {
+        draw_cell_and_axis(random, n);
+        if (random.chance(0.3))
+            put(n.subspan(4), glm::dvec3(n[4], n[5], n[6]) * over_decades(random, 0.01, 1));
+    };
     for (const AxisLocus& locus : axis_loci())
         generator->loci.push_back({locus.name, "axis", [&locus](Random& random, double d, Span n) {
                                        put(n.subspan(4), locus.axis(random, d, n[0], n[1], n[2], n[3]));
@@ -91,7 +95,7 @@ std::shared_ptr<const Generator> cells_and_axes() {
 bool is_cell_and_axis(const Arguments& arguments) {
     const auto& n = arguments.numbers;
     return is_polar(n[2]) && is_polar(n[3]) && std::abs(n[1]) <= pi + 1e-5 &&
-           std::abs(std::hypot(n[4], n[5], n[6]) - 1) < 1e-6;
+           std::hypot(n[4], n[5], n[6]) > 1e-3;
 }
 
 } // namespace gnomon::stiffness

@@ -28,7 +28,7 @@ void set_versines(Span n) {
     n[13] = std::clamp(1 + dot_highest(as_float(n[0]), as_float(n[1]), low, high, -p), 0.0, 2.0);
     n[14] = std::clamp(1 - dot_highest(as_float(n[0]), as_float(n[1]), low, high, p), 0.0, 2.0);
     // A lobe of which nothing is left teaches nothing.
-    if (n[11] * n[14] > 60) n[11] = 60 / n[14];
+    if (n[11] * n[14] > 40) n[11] = 40 / n[14];
 }
 double low_theta(Span n) { return std::min({n[2], n[2] + n[3], n[2] + n[4]}); }
 double high_theta(Span n) { return std::max({n[2], n[2] + n[3], n[2] + n[4]}); }
@@ -137,9 +137,20 @@ std::shared_ptr<const Generator> lit_cells() {
 
 bool is_lit_cell(const Arguments& arguments) {
     const auto& n = arguments.numbers;
-    return std::abs(n[1]) <= pi + 1e-5 && is_polar(n[2]) && is_polar(n[2] + n[3]) && is_polar(n[2] + n[4]) &&
-           std::abs(std::hypot(n[8], n[9], n[10]) - 1) < 1e-3 && n[11] * std::min(n[13], n[14]) <= 104 &&
-           n[11] * std::abs(n[13] - n[14]) <= 4 * sharpest;
+    const glm::dvec3 p(n[8], n[9], n[10]);
+    const double length = glm::length(p);
+    if (!(std::abs(n[1]) <= pi + 1e-5 && is_polar(n[2]) && is_polar(n[2] + n[3]) && is_polar(n[2] + n[4]) &&
+          std::abs(length - 1) < 1e-3 && n[11] * std::min(n[13], n[14]) <= 104 &&
+          n[11] * std::abs(n[13] - n[14]) <= 4 * sharpest))
+        return false;
+    // The fit is made for all that x does in the cell: beyond its interval it means nothing. (A thousandth of
+    // its width, or a few roundings, is no harm.)
+    const double low = std::min({n[2], n[2] + n[3], n[2] + n[4]}),
+                 high = std::max({n[2], n[2] + n[3], n[2] + n[4]});
+    const double far = 1 + dot_highest(n[0], n[1], low, high, -p / length),
+                 near = 1 - dot_highest(n[0], n[1], low, high, p / length);
+    const double slack = 1e-3 * (far - near) + 1e-6 * far + 1e-12;
+    return near >= std::min(n[13], n[14]) - slack && far <= std::max(n[13], n[14]) + slack;
 }
 
 } // namespace gnomon::stiffness

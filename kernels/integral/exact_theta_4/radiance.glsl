@@ -1,6 +1,7 @@
 // The light that a cell of a lobe sends past a receiver: the lobe's linear fit times n·ω, over a cell under a linear
 // boundary; exact in θ, by Gauss–Legendre with 4 nodes in φ.   [Appendix B, Equation 5; docs/integrals.md, section 3]
-// A reversed interval of φ or θ negates the result, one of x is turned round; inputs that are not finite: 0.
+// half_width < 0: the cell from its other end, rise.x first, negated, as is a boundary below θ0; versines are turned
+// round; inputs that are not finite: 0.
 #include "integral/exact_theta/radiance.glslh"
 
 float integral_exact_theta_4_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda,

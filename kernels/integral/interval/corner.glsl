@@ -7,9 +7,8 @@
 
 vec2 integral_interval_corner(float phi, float half_width, vec2 theta, vec3 p) {
     if (!(is_finite(phi) && is_finite(half_width) && is_finite(theta) && is_finite(p))) return vec2(-1.0, 1.0);
-    float largest = max(abs(p.x), max(abs(p.y), abs(p.z)));
-    if (largest == 0.0) return vec2(0.0);
-    p = normalize(p / largest);
+    if (p == vec3(0.0)) return vec2(0.0);
+    p = unit_vector(p);
     Arcs arcs = arcs_of(phi, half_width, theta);
     float c = p.x * arcs.middle.x + p.y * arcs.middle.y, s = p.y * arcs.middle.x - p.x * arcs.middle.y;
     vec2 amplitudes = c * arcs.ends.x + vec2(s, -s) * arcs.ends.y;

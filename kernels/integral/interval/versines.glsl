@@ -29,9 +29,8 @@ float versine_at(vec3 p, float sign, vec2 ends, vec2 first, vec2 last, vec2 midd
 
 vec2 integral_interval_versines(float phi, float half_width, vec2 theta, vec3 p) {
     if (!(is_finite(phi) && is_finite(half_width) && is_finite(theta) && is_finite(p))) return vec2(2.0, 0.0);
-    float largest = max(abs(p.x), max(abs(p.y), abs(p.z)));
-    if (largest == 0.0) return vec2(1.0);
-    p = normalize(p / largest);
+    if (p == vec3(0.0)) return vec2(1.0);
+    p = unit_vector(p);
     if (theta.y < theta.x) theta = theta.yx;
     Arcs arcs = arcs_of(phi, half_width, theta);
     vec3 turned = vec3(p.x * arcs.middle.x + p.y * arcs.middle.y, p.y * arcs.middle.x - p.x * arcs.middle.y, p.z);

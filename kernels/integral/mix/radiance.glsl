@@ -2,7 +2,8 @@
 // boundary; by as many columns as the fastest wave in φ turns: sin³θ over the boundary's gain, and two dot products over
 // the width.
 // [Appendix B, Equation 5; docs/integrals.md, sections 3 and 6]
-// A reversed interval of φ or θ negates the result, one of x is turned round; inputs that are not finite: 0.
+// half_width < 0: the cell from its other end, rise.x first, negated, as is a boundary below θ0; versines are turned
+// round; inputs that are not finite: 0.
 #include "integral/columns/radiance.glslh"
 
 float integral_mix_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda, float mu,

@@ -7,8 +7,7 @@
 float integral_sinc_c3(float phi0, float phi1, float p) {
     if (!is_finite(vec3(phi0, phi1, p))) return 0.0;
     float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
-    // sin h - h cos h = h (D(h) ... ): near 0 it is h³/3, and the difference would lose it. Taylor: at 1 the first term
-    // left out is 1e-9.
+    // sin h - h cos h is h³/3 near 0, and the difference would lose it. Taylor: at 1 the first term left out is 1e-9.
     float z = h * h;
     precise float series =
         h * z * (0.333333333 + z * (-3.33333333e-2 + z * (1.19047619e-3 + z * (-2.20458554e-5 + z * 2.50521084e-7))));

@@ -1,6 +1,7 @@
 // The light that a cell of a lobe sends past a receiver: the lobe's linear fit times n·ω, over a cell under a linear
 // boundary; by waves without a division, but by α, k and b.   [Appendix B, Equation 5; docs/integrals.md, section 3]
-// A reversed interval of φ or θ negates the result, one of x is turned round; inputs that are not finite: 0.
+// half_width < 0: the cell from its other end, rise.x first, negated, as is a boundary below θ0; versines are turned
+// round; inputs that are not finite: 0.
 #include "integral/fit/alpha.glsl"
 #include "integral/fit/beta.glsl"
 #include "integral/guard.glslh"
