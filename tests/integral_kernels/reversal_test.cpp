@@ -55,6 +55,7 @@ void expect_opposite(const Case& whole, const Case& c, const std::vector<Row>& r
     const std::vector<Truth> known = truths(whole, records);
     const std::vector<float> straight = run_rows(c.name, rows), turned = run_rows(c.name, reversed);
     for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!in_domain(whole, arguments(whole, records.input(i), nullptr))) continue; // no truth there
         const double sum = static_cast<double>(straight[i]) + static_cast<double>(turned[i]);
         EXPECT_LE(std::abs(sum), times * unit_of_error(known[i], 0)) << fmt::format(
             "{}: {:a} and {:a}", format_call(c, records.input(i), nullptr), straight[i], turned[i]);
