@@ -39,8 +39,8 @@ Quantity radiance() {
         stiffness::lit_cells(),
         stiffness::is_lit_cell,
         "half_width below 0 is the cell from its other end, rise.x first, and negates, as does a boundary "
-        "below theta0; versines are turned round; an input that is not finite gives 0; a result beyond the "
-        "floats is the largest or, where such cancel, 0; p must not be 0"};
+        "below theta0; versines are turned round; p must not be 0; a result beyond the floats is the largest "
+        "or, where such cancel, 0; an input that is not finite gives 0"};
 }
 
 struct Shape { // of a cell, in radians
