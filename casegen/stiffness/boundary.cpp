@@ -50,7 +50,7 @@ std::vector<Locus> boundary_loci() {
                                                                                         {"-1", -1},
                                                                                         {"-2", -2}})
         add(fmt::format("k = {}", name), "k",
-            [k0](Random& random, double d, Span n) { set_slope(random, n, k0 + about(random, d)); });
+            [k0 = k0](Random& random, double d, Span n) { set_slope(random, n, k0 + about(random, d)); });
     add("phi1 - phi0 = 0", "narrow", [](Random& random, double d, Span n) {
         n[1] = n[0] + about(random, d);
         const double first = uniform(random, 0, pi);

@@ -74,7 +74,7 @@ TEST(boundary_cells, slopes_are_as_near_to_k_as_they_should_be) {
     for (const auto& [name, k] : slopes) {
         expect_within(
             *generator, name, [k = k](const Drawn& n) { return std::abs(n[3] - k); }, 1, 2e-7);
-        for_each_placed(*generator, name, [&](const Drawn& n, double d, const std::string& where) {
+        for_each_placed(*generator, name, [k = k](const Drawn& n, double d, const std::string& where) {
             if (d == 0) EXPECT_EQ(n[3], as_float(k)) << where;
             EXPECT_GE(std::min(height(n, 0), height(n, 1)), -1e-5) << where;
             EXPECT_LE(std::max(height(n, 0), height(n, 1)), pi + 1e-5) << where;
