@@ -252,8 +252,10 @@ std::uint32_t Sampler::draw_from_mask(Random& random, std::span<std::uint32_t> w
     for (const Slot& slot : slots_) {
         Numbers numbers{};
         const int known = slot.fact ? slot.fact(facts, numbers) : 0;
-        if (known == 0) draw_slot(random, slot, words);
-        for (int k = 0; k < known; ++k)
+        // Another family may mean something else, of another size, by a fact's name.
+        const bool meant = known == slot.type.components;
+        if (!meant) draw_slot(random, slot, words);
+        for (int k = 0; meant && k < known; ++k)
             words[static_cast<std::size_t>(k)] =
                 narrow(slot.type.scalar, numbers[static_cast<std::size_t>(k)]);
         words = words.subspan(static_cast<std::size_t>(slot.type.components));
