@@ -24,12 +24,14 @@ std::vector<std::string> technique_names() {
     std::vector<std::string> names{"none"};
     for (std::string& name : visibility_techniques()) names.push_back(std::move(name));
     names.emplace_back("raytraced");
+    for (const HybridTechnique& hybrid : hybrid_techniques()) names.push_back(hybrid.name);
     return names;
 }
 
 Technique technique_by_name(const std::string& name) {
     if (name == "none") return {Technique::Kind::none, name};
     if (name == "raytraced") return {Technique::Kind::raytraced, name};
+    if (find_hybrid(name)) return {Technique::Kind::hybrid, name};
     return technique_of(technique_family(name));
 }
 

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -98,12 +99,12 @@ void set_ray(RTCRay16& rays, std::size_t lane, glm::vec3 origin, const Segment& 
     rays.flags[lane] = 0;
 }
 
-/// `segment_at(origin)` is the Segment from there towards the light.
-template <typename SegmentAt>
-std::vector<std::uint8_t> trace(RTCScene scene, std::span<const glm::vec3> origins,
-                                std::span<const std::uint8_t> active, float tmin,
+/// `segment_at(origin)` is the Segment from there towards the light. Without `active` all are.
+template <typename Origin, typename SegmentAt>
+std::vector<std::uint8_t> trace(RTCScene scene, std::span<const Origin> origins,
+                                std::optional<std::span<const std::uint8_t>> active, float tmin,
                                 const SegmentAt& segment_at) {
-    if (origins.size() != active.size())
+    if (active && origins.size() != active->size())
         throw std::invalid_argument("RayTracer: one active flag per origin is needed");
     std::vector<std::uint8_t> visible(origins.size(), 1);
 
@@ -116,13 +117,14 @@ std::vector<std::uint8_t> trace(RTCScene scene, std::span<const glm::vec3> origi
         bool any = false;
         for (std::size_t lane = 0; lane < count; ++lane) {
             const std::size_t i = first + lane;
-            if (active[i] == 0) continue;
-            if (!is_finite(origins[i]))
-                throw Error("receiver {} is at ({}, {}, {}): visibility needs finite positions", i,
-                            origins[i].x, origins[i].y, origins[i].z);
-            const Segment segment = segment_at(origins[i]);
+            if (active && (*active)[i] == 0) continue;
+            const glm::vec3 origin(origins[i]);
+            if (!is_finite(origin))
+                throw Error("receiver {} is at ({}, {}, {}): visibility needs finite positions", i, origin.x,
+                            origin.y, origin.z);
+            const Segment segment = segment_at(origin);
             if (!(segment.end > tmin)) continue; // nothing can lie between
-            set_ray(rays, lane, origins[i], segment, tmin);
+            set_ray(rays, lane, origin, segment, tmin);
             valid[lane] = -1;
             any = true;
         }
@@ -182,15 +184,36 @@ RayTracer::~RayTracer() = default;
 RayTracer::RayTracer(RayTracer&&) noexcept = default;
 RayTracer& RayTracer::operator=(RayTracer&&) noexcept = default;
 
-std::vector<std::uint8_t> RayTracer::visible_along(std::span<const glm::vec3> origins,
-                                                   std::span<const std::uint8_t> active,
-                                                   glm::vec3 direction_to_light, float tmin) const {
-    require_tmin(tmin);
+namespace {
+
+Segment segment_along(glm::vec3 direction_to_light) {
     const glm::dvec3 direction(direction_to_light);
     if (!is_finite(direction_to_light) || direction == glm::dvec3(0.0))
         throw Error("the direction to the light is ({}, {}, {}): it must be finite and not zero",
                     direction_to_light.x, direction_to_light.y, direction_to_light.z);
-    const Segment segment{glm::vec3(glm::normalize(direction)), std::numeric_limits<float>::infinity()};
+    return {glm::vec3(glm::normalize(direction)), std::numeric_limits<float>::infinity()};
+}
+
+Segment segment_to(glm::vec3 light, glm::vec3 origin) {
+    const glm::dvec3 offset = glm::dvec3(light) - glm::dvec3(origin);
+    const double distance = glm::length(offset);
+    if (distance == 0.0) return {};
+    return {glm::vec3(offset / distance), static_cast<float>(distance)};
+}
+
+void require_light(glm::vec3 position) {
+    if (!is_finite(position))
+        throw Error("the light is at ({}, {}, {}): its position must be finite", position.x, position.y,
+                    position.z);
+}
+
+} // namespace
+
+std::vector<std::uint8_t> RayTracer::visible_along(std::span<const glm::vec3> origins,
+                                                   std::span<const std::uint8_t> active,
+                                                   glm::vec3 direction_to_light, float tmin) const {
+    require_tmin(tmin);
+    const Segment segment = segment_along(direction_to_light);
     return trace(impl_->scene.get(), origins, active, tmin, [&](glm::vec3) { return segment; });
 }
 
@@ -198,15 +221,24 @@ std::vector<std::uint8_t> RayTracer::visible_from(std::span<const glm::vec3> ori
                                                   std::span<const std::uint8_t> active,
                                                   glm::vec3 light_position, float tmin) const {
     require_tmin(tmin);
-    if (!is_finite(light_position))
-        throw Error("the light is at ({}, {}, {}): its position must be finite", light_position.x,
-                    light_position.y, light_position.z);
-    return trace(impl_->scene.get(), origins, active, tmin, [&](glm::vec3 origin) {
-        const glm::dvec3 offset = glm::dvec3(light_position) - glm::dvec3(origin);
-        const double distance = glm::length(offset);
-        if (distance == 0.0) return Segment{};
-        return Segment{glm::vec3(offset / distance), static_cast<float>(distance)};
-    });
+    require_light(light_position);
+    return trace(impl_->scene.get(), origins, active, tmin,
+                 [&](glm::vec3 origin) { return segment_to(light_position, origin); });
+}
+
+std::vector<std::uint8_t> RayTracer::visible_along(std::span<const glm::vec4> origins,
+                                                   glm::vec3 direction_to_light, float tmin) const {
+    require_tmin(tmin);
+    const Segment segment = segment_along(direction_to_light);
+    return trace(impl_->scene.get(), origins, {}, tmin, [&](glm::vec3) { return segment; });
+}
+
+std::vector<std::uint8_t> RayTracer::visible_from(std::span<const glm::vec4> origins,
+                                                  glm::vec3 light_position, float tmin) const {
+    require_tmin(tmin);
+    require_light(light_position);
+    return trace(impl_->scene.get(), origins, {}, tmin,
+                 [&](glm::vec3 origin) { return segment_to(light_position, origin); });
 }
 
 } // namespace gnomon

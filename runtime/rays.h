@@ -35,6 +35,11 @@ public:
     std::vector<std::uint8_t> visible_from(std::span<const glm::vec3> origins,
                                            std::span<const std::uint8_t> active, glm::vec3 light_position,
                                            float tmin) const;
+    /// The same for a ray buffer: all are active, w does not matter.
+    std::vector<std::uint8_t> visible_along(std::span<const glm::vec4> origins, glm::vec3 direction_to_light,
+                                            float tmin) const;
+    std::vector<std::uint8_t> visible_from(std::span<const glm::vec4> origins, glm::vec3 light_position,
+                                           float tmin) const;
 
 private:
     struct Impl;

@@ -23,6 +23,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace gnomon::gpu {
@@ -110,6 +111,17 @@ struct Dispatch {
     std::span<const std::byte> constants{};        ///< push constants
 };
 
+/// What a buffer holds, for the host to read. Moves, does not copy.
+template <typename T>
+struct HostView {
+    std::vector<T> copy; ///< empty where the host sees the buffer itself
+    std::span<const T> values;
+
+    HostView(std::vector<T> held, std::span<const T> seen) : copy(std::move(held)), values(seen) {}
+    HostView(HostView&&) noexcept = default; // a moved vector keeps its elements where they are
+    HostView& operator=(HostView&&) noexcept = default;
+};
+
 /// A plain value as push constants.
 template <typename T>
 std::span<const std::byte> bytes_of(const T& value) {
@@ -131,6 +143,9 @@ public:
     void write(Buffer& buffer, std::span<const std::byte> bytes, std::size_t offset = 0);
     void read(const Buffer& buffer, std::span<std::byte> bytes, std::size_t offset = 0);
 
+    /// The bytes where the host sees them; empty if it does not see this buffer's memory.
+    std::span<const std::byte> mapped(const Buffer& buffer) const;
+
     template <typename T>
     Buffer upload(std::span<const T> values) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -148,6 +163,16 @@ public:
         std::vector<T> values(buffer.size() / sizeof(T));
         read(buffer, std::as_writable_bytes(std::span(values)));
         return values;
+    }
+    /// The first `count` values, without a copy where the host sees the buffer. Valid until it is written to.
+    template <typename T>
+    HostView<T> view(const Buffer& buffer, std::size_t count) {
+        const std::span<const std::byte> bytes = mapped(buffer);
+        if (count * sizeof(T) <= bytes.size()) return {{}, {reinterpret_cast<const T*>(bytes.data()), count}};
+        HostView<T> result{std::vector<T>(count), {}};
+        read(buffer, std::as_writable_bytes(std::span(result.copy)));
+        result.values = result.copy;
+        return result;
     }
 
     // Compute.

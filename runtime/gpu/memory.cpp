@@ -144,6 +144,11 @@ void Device::write(Buffer& buffer, std::span<const std::byte> bytes, std::size_t
     copy(*context_, staging.buffer, 0, buffer.impl_->handle, offset, bytes.size());
 }
 
+std::span<const std::byte> Device::mapped(const Buffer& buffer) const {
+    if (!buffer.impl_ || !buffer.impl_->mapped) return {};
+    return {buffer.impl_->mapped, buffer.impl_->size};
+}
+
 void Device::read(const Buffer& buffer, std::span<std::byte> bytes, std::size_t offset) {
     if (offset + bytes.size() > buffer.size())
         throw Error("reading {} bytes at {} from a buffer of {}", bytes.size(), offset, buffer.size());

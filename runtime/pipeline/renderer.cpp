@@ -1,6 +1,8 @@
 #include "runtime/pipeline/renderer.h"
 
 #include "runtime/error.h"
+#include "runtime/hybrid/hybrid.h"
+#include "runtime/pipeline/resources.h"
 
 #include <algorithm>
 #include <chrono>
@@ -12,66 +14,30 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Without the first of several, which holds compilation.
-double median(std::vector<double> times) {
-    if (times.size() > 1) times.erase(times.begin());
-    std::ranges::sort(times);
-    const std::size_t n = times.size();
-    return n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2]);
-}
-
-/// Step times of several frames, in the order in which steps first happened.
-class Stopwatch {
-public:
-    void add(const std::string& step, double milliseconds) {
-        const auto known = std::ranges::find(steps_, step, &Samples::name);
-        (known == steps_.end() ? steps_.emplace_back(Samples{step, {}}) : *known)
-            .milliseconds.push_back(milliseconds);
-    }
-
-    std::vector<Step> medians() const {
-        std::vector<Step> result;
-        for (const Samples& step : steps_) result.push_back({step.name, median(step.milliseconds)});
-        return result;
-    }
-
-private:
-    struct Samples {
-        std::string name;
-        std::vector<double> milliseconds;
-    };
-    std::vector<Samples> steps_;
-};
-
 double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
 } // namespace
 
-struct Renderer::Impl {
-    gpu::Device& device;
-    glsl::Sources sources;
-    const Scene& scene;
-    shared::Frame frame;
-    std::uint32_t vertices;
-
-    gpu::Buffer frame_buffer, positions, normals, triangles;
+struct Renderer::Impl : Resources {
     gpu::Target world, shading_normal, depth, shadow_depth;
     gpu::Raster gbuffer, shadow_map;
     gpu::Kernel receivers_kernel, shade_kernel;
     std::map<std::string, gpu::Kernel> visibility_kernels; // by technique and its texts
-    std::unique_ptr<RayTracer> tracer;
+    LazyTracer tracer;
+    std::map<std::string, Hybrid> hybrids;
 
-    gpu::Buffer world_texels, normal_texels, depth_texels, receivers, visibility, left_out, colours;
+    gpu::Buffer depth_texels, left_out, colours;
+    HybridFrame hybrid_frame; // of the last frame
     std::vector<shared::Receiver> host_receivers;
     Surfaces host_surfaces;
 
     Impl(gpu::Device& on, glsl::Sources from, const Scene& of, const Camera& camera, const Light& light,
          const ViewSettings& settings)
-        : device(on), sources(std::move(from)), scene(of),
-          frame(make_frame(camera, light, settings, of.bounds())),
-          vertices(static_cast<std::uint32_t>(3 * of.triangles.size())) {
+        : Resources{on, std::move(from), of, make_frame(camera, light, settings, of.bounds()),
+                    static_cast<std::uint32_t>(3 * of.triangles.size())},
+          tracer(of) {
         constexpr std::size_t most = (std::size_t{1} << 24) - 1;
         if (scene.triangles.size() > most)
             throw Error("{}: {} triangles; the G-buffer counts to {}", scene.name, scene.triangles.size(),
@@ -103,16 +69,6 @@ struct Renderer::Impl {
         left_out = device.upload(std::vector<std::uint32_t>{0});
         colours = device.allocate(pixels * sizeof(glm::vec4));
     }
-
-    glsl::Spirv stage(const std::string& file) const { return stage(file, sources); }
-    static glsl::Spirv stage(const std::string& file, const glsl::Sources& from) {
-        const glsl::Stage kind = file.ends_with(".vert")   ? glsl::Stage::vertex
-                                 : file.ends_with(".frag") ? glsl::Stage::fragment
-                                                           : glsl::Stage::compute;
-        return glsl::compile(from, stage_text(from, file), stage_name(from, file), kind);
-    }
-
-    gpu::Dispatch per_pixel() const { return {.threads = {frame.size.x, frame.size.y, 1}}; }
 
     gpu::Kernel& visibility_kernel(const Technique& technique) {
         std::string key = technique.name;
@@ -177,11 +133,7 @@ struct Renderer::Impl {
 
     std::vector<float> trace(Stopwatch& watch) {
         read_receivers();
-        if (!tracer) {
-            const auto start = Clock::now();
-            tracer = std::make_unique<RayTracer>(scene);
-            watch.add("build BVH", milliseconds_since(start));
-        }
+        const RayTracer& rays = tracer.get(watch);
         std::vector<glm::vec3> origins;
         origins.reserve(host_receivers.size());
         for (const shared::Receiver& receiver : host_receivers) origins.emplace_back(receiver.origin);
@@ -189,8 +141,8 @@ struct Renderer::Impl {
         const glm::vec3 light(frame.light_origin);
         const std::vector<std::uint8_t> visible =
             frame.light_origin.w == 1.0f
-                ? tracer->visible_from(origins, host_surfaces.facing, light, frame.range.w)
-                : tracer->visible_along(origins, host_surfaces.facing, light, frame.range.w);
+                ? rays.visible_from(origins, host_surfaces.facing, light, frame.range.w)
+                : rays.visible_along(origins, host_surfaces.facing, light, frame.range.w);
         watch.add("trace", milliseconds_since(start));
         std::vector<float> result(visible.size());
         for (std::size_t i = 0; i < visible.size(); ++i)
@@ -208,6 +160,16 @@ struct Renderer::Impl {
         case Technique::Kind::raytraced: {
             const std::vector<float> traced = trace(watch);
             device.write(visibility, std::as_bytes(std::span(traced)));
+            return 0;
+        }
+        case Technique::Kind::hybrid: {
+            auto found = hybrids.find(technique.name);
+            if (found == hybrids.end()) {
+                const HybridTechnique* known = find_hybrid(technique.name);
+                if (known == nullptr) throw Error("no hybrid technique \"{}\"", technique.name);
+                found = hybrids.emplace(technique.name, Hybrid(*this, tracer, *known)).first;
+            }
+            hybrid_frame = found->second.run(watch);
             return 0;
         }
         case Technique::Kind::none:
@@ -247,7 +209,8 @@ Rendering Renderer::render(const Technique& technique, int frames) {
             r.per_pixel());
         watch.add("shade", shaded * 1e-6);
     }
-    return {r.device.read<float>(r.visibility), r.read_image(), watch.medians(), left_out};
+    return {r.device.read<float>(r.visibility), r.read_image(), watch.medians(), left_out,
+            technique.kind == Technique::Kind::hybrid ? std::optional(r.hybrid_frame) : std::nullopt};
 }
 
 std::vector<std::uint64_t> Renderer::census(const Technique& technique) {
@@ -275,7 +238,7 @@ std::vector<double> Renderer::time_visibility(const std::vector<Technique>& tech
     constexpr std::uint32_t none = 0;
     r.device.write(r.left_out, gpu::bytes_of(none));
     std::vector<double> medians;
-    for (const std::vector<double>& times : milliseconds) medians.push_back(median(times));
+    for (const std::vector<double>& times : milliseconds) medians.push_back(median_of_later(times));
     return medians;
 }
 
@@ -299,6 +262,12 @@ double Renderer::time_first_visibility(const Technique& technique) {
     constexpr std::uint32_t none = 0;
     r.device.write(r.left_out, gpu::bytes_of(none));
     return first - second;
+}
+
+std::vector<PixelState> Renderer::states(const Technique& technique) {
+    Impl& r = *impl_;
+    if (!r.hybrids.contains(technique.name)) render(technique, 1);
+    return r.hybrids.at(technique.name).states();
 }
 
 const Surfaces& Renderer::surfaces() {

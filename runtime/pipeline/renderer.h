@@ -4,22 +4,20 @@
 
 #include "runtime/glsl/compiler.h"
 #include "runtime/gpu/device.h"
+#include "runtime/hybrid/hybrid.h"
 #include "runtime/image.h"
+#include "runtime/pipeline/stopwatch.h"
 #include "runtime/pipeline/technique.h"
 #include "runtime/pipeline/view.h"
 #include "runtime/rays.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace gnomon {
-
-struct Step {
-    std::string name;
-    double milliseconds = 0; ///< median over frames, the first one discarded
-};
 
 struct Rendering {
     std::vector<float> visibility; ///< per pixel, row-major; 0 where the surface faces away or there is none
@@ -28,6 +26,7 @@ struct Rendering {
     /// Pixels whose case the technique's assembly did not hold, in one frame; if any, `visibility` was found
     /// again with all cases, in a step of its own.
     std::size_t left_out = 0;
+    std::optional<HybridFrame> hybrid; ///< of the last frame of a hybrid technique
 };
 
 /// What is the same for all techniques, per pixel.
@@ -68,6 +67,10 @@ public:
     /// Milliseconds from the technique's SPIR-V to the end of its first dispatch, less those of a second one:
     /// what the driver takes to compile it, unless it has seen it before.
     double time_first_visibility(const Technique& technique);
+
+    /// What the last frame of this hybrid technique knew of each pixel, row-major. Renders one if there was
+    /// none.
+    std::vector<PixelState> states(const Technique& technique);
 
     const Surfaces& surfaces();
 

@@ -19,6 +19,11 @@ glsl::Sources with(glsl::Sources sources, const Technique& technique, const char
     return sources;
 }
 
+std::filesystem::path below_kernels(const std::string& file) {
+    return file.find('/') == std::string::npos ? std::filesystem::path("pipeline") / file
+                                               : std::filesystem::path(file);
+}
+
 } // namespace
 
 glsl::Sources visibility_sources(const glsl::Sources& sources, const Technique& technique) {
@@ -35,11 +40,11 @@ glsl::Sources number_sources(const glsl::Sources& sources, const Technique& tech
 }
 
 std::string stage_text(const glsl::Sources& sources, const std::string& file) {
-    return read_file(sources.root / "pipeline" / file);
+    return read_file(sources.root / below_kernels(file));
 }
 
 std::string stage_name(const glsl::Sources& sources, const std::string& file) {
-    return (sources.root.filename() / "pipeline" / file).generic_string();
+    return (sources.root.filename() / below_kernels(file)).generic_string();
 }
 
 } // namespace gnomon

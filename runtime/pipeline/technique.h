@@ -13,6 +13,7 @@ struct Technique {
         none,      ///< everything that faces the light is lit
         kernel,    ///< by the kernel `family`/visibility over the shadow map
         raytraced, ///< by a shadow ray: the truth
+        hybrid,    ///< by maps where they are certain, by rays elsewhere (runtime/hybrid)
     };
     Kind kind = Kind::none;
     std::string name;
@@ -31,7 +32,7 @@ struct Technique {
 glsl::Sources visibility_sources(const glsl::Sources& sources, const Technique& technique);
 glsl::Sources number_sources(const glsl::Sources& sources, const Technique& technique);
 
-/// A stage of the pipeline by its file's name: "visibility.comp".
+/// A stage by its file below the kernels' folder, "hybrid/fill.comp"; a bare name is below pipeline/.
 std::string stage_text(const glsl::Sources& sources, const std::string& file);
 std::string stage_name(const glsl::Sources& sources, const std::string& file);
 

@@ -1,0 +1,21 @@
+// Every hybrid technique there is.
+#include "runtime/hybrid/classifier.h"
+#include "runtime/hybrid/make.h"
+
+#include <algorithm>
+
+namespace gnomon {
+
+const std::vector<HybridTechnique>& hybrid_techniques() {
+    static const std::vector<HybridTechnique> all{
+        {"traced", "certain of nothing: a ray for every pixel that faces the light", true, make_nothing},
+    };
+    return all;
+}
+
+const HybridTechnique* find_hybrid(const std::string& name) {
+    const auto found = std::ranges::find(hybrid_techniques(), name, &HybridTechnique::name);
+    return found == hybrid_techniques().end() ? nullptr : &*found;
+}
+
+} // namespace gnomon
