@@ -6,5 +6,8 @@
 namespace gnomon {
 
 std::unique_ptr<Classifier> make_nothing(Resources& resources); // nothing.cpp
+std::unique_ptr<Classifier> make_sheet(Resources& resources);   // sound.cpp
+std::unique_ptr<Classifier> make_nearest(Resources& resources);
+std::unique_ptr<Classifier> make_lists(Resources& resources);
 
 } // namespace gnomon

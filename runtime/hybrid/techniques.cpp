@@ -9,6 +9,11 @@ namespace gnomon {
 const std::vector<HybridTechnique>& hybrid_techniques() {
     static const std::vector<HybridTechnique> all{
         {"traced", "certain of nothing: a ray for every pixel that faces the light", true, make_nothing},
+        {"sheet", "depths alone: sheets of triangles that cover a texel, bounds of those that reach into it",
+         true, make_sheet},
+        {"nearest-8", "sheet, and the ray against the eight triangles nearest to the light", true,
+         make_nearest},
+        {"lists", "the ray against every triangle of its texel's list", true, make_lists},
     };
     return all;
 }

@@ -1,0 +1,18 @@
+// A triangle's plane round a point of the map: (dz/dx, dz/dy, z, how far z may be wrong) within `half_side` of the point, when each
+// corner may be `margin` away from its true place across the light. Planes through corners moved by m differ at the corners by
+// |gradient| m, and elsewhere by that times the sum of the absolute barycentric weights. A triangle too thin to say has an infinite
+// error.                                                                                                 [hybrid.md, soundness: depth]
+vec4 column_plane(vec3 a, vec3 b, vec3 c, vec2 at, float half_side, float margin) {
+    precise vec3 pa = vec3(a.xy - at, a.z), pb = vec3(b.xy - at, b.z), pc = vec3(c.xy - at, c.z);
+    precise vec3 ab = pb - pa, bc = pc - pb, ca = pa - pc;
+    precise float area = ab.x * -ca.y + ab.y * ca.x;
+    vec3 sides = abs(vec3(ab.x, bc.x, ca.x)) + abs(vec3(ab.y, bc.y, ca.y));
+    float longest = max(max(sides.x, sides.y), sides.z);
+    if (!(abs(area) > 64.0 * margin * longest)) return vec4(0.0, 0.0, a.z, 1.0 / 0.0);
+    // Areas of the triangles that each side makes with the point: the weights, times the area.
+    precise vec3 parts = vec3(pa.x * ab.y - pa.y * ab.x, pb.x * bc.y - pb.y * bc.x, pc.x * ca.y - pc.y * ca.x);
+    float weights = (dot(abs(parts), vec3(1.0)) + half_side * (sides.x + sides.y + sides.z)) / abs(area);
+    precise vec2 gradient = vec2(ca.z * ab.y - ab.z * ca.y, ab.z * ca.x - ca.z * ab.x) / area;
+    precise float z = a.z - (gradient.x * pa.x + gradient.y * pa.y);
+    return vec4(gradient, z, 2.0 * margin * (abs(gradient.x) + abs(gradient.y)) * max(weights, 1.0));
+}

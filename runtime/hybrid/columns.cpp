@@ -1,0 +1,84 @@
+#include "runtime/hybrid/columns.h"
+
+#include "runtime/error.h"
+
+#include <algorithm>
+
+namespace gnomon {
+namespace {
+
+constexpr std::uint32_t bin_side = 8; // BIN of kernels/hybrid/columns.glslh
+
+struct Counters {
+    std::uint32_t nodes = 0, pairs = 0;
+};
+
+} // namespace
+
+Columns::Columns(Resources& resources)
+    : r_(resources), mark_(resources.kernel("hybrid/mark.comp")),
+      clear_(resources.kernel("hybrid/clear.comp")), bin_(resources.kernel("hybrid/bin.comp")),
+      fill_(resources.kernel("hybrid/fill_lists.comp")) {
+    if (r_.frame.light_origin.w == 1.0f)
+        throw Error(
+            "columns need a directional light; leave --light-position out, or take another technique");
+    const std::size_t side = r_.frame.size.z, bins = (side + bin_side - 1) / bin_side;
+    space = r_.device.allocate(sizeof(shared::ColumnSpace));
+    places = r_.device.allocate(r_.scene.positions.size() * sizeof(glm::vec4));
+    farthest = r_.device.allocate(side * side * sizeof(std::uint32_t));
+    heads = r_.device.allocate(side * side * sizeof(std::uint32_t));
+    bin_farthest_ = r_.device.allocate(bins * bins * sizeof(std::uint32_t));
+    counters_ = r_.device.allocate(sizeof(Counters));
+    node_capacity_ = std::max<std::size_t>(1 << 16, 4 * r_.scene.triangles.size());
+    pair_capacity_ = std::max<std::size_t>(1 << 14, 2 * bins * bins);
+    nodes_buffer = r_.device.allocate(node_capacity_ * sizeof(glm::uvec2));
+    pairs_ = r_.device.allocate(pair_capacity_ * sizeof(glm::uvec2));
+}
+
+bool Columns::bin_all() {
+    host_space_.size = {r_.frame.size.z, static_cast<std::uint32_t>(r_.scene.triangles.size()),
+                        static_cast<std::uint32_t>(node_capacity_),
+                        static_cast<std::uint32_t>(pair_capacity_)};
+    r_.device.write(space, gpu::bytes_of(host_space_));
+    const std::uint32_t texels = r_.frame.size.z * r_.frame.size.z;
+    r_.device.run(clear_, {&space, &farthest, &bin_farthest_, &heads}, {.threads = {texels, 1, 1}});
+    r_.device.run(mark_, {&space, &r_.frame_buffer, &r_.receivers, &farthest, &bin_farthest_},
+                  r_.per_pixel());
+    const Counters none;
+    r_.device.write(counters_, gpu::bytes_of(none));
+    r_.device.run(bin_,
+                  {&space, &places, &r_.triangles, &farthest, &bin_farthest_, &heads, &nodes_buffer,
+                   &counters_, &pairs_},
+                  {.threads = {host_space_.size.y, 1, 1}});
+    Counters counted = r_.device.read<Counters>(counters_).front();
+    if (counted.pairs > 0 && counted.pairs <= pair_capacity_)
+        r_.device.run(fill_,
+                      {&space, &places, &r_.triangles, &farthest, &bin_farthest_, &heads, &nodes_buffer,
+                       &counters_, &pairs_},
+                      {.threads = {counted.pairs, 1, 1}});
+    counted = r_.device.read<Counters>(counters_).front();
+    node_count_ = counted.nodes;
+    if (counted.nodes <= node_capacity_ && counted.pairs <= pair_capacity_) return true;
+    // Room for what was asked, and a little for the next frame. The counts are exact where the pairs fitted.
+    if (counted.pairs > pair_capacity_) {
+        pair_capacity_ = counted.pairs + counted.pairs / 4;
+        pairs_ = r_.device.allocate(pair_capacity_ * sizeof(glm::uvec2));
+    }
+    if (counted.nodes > node_capacity_) {
+        node_capacity_ = counted.nodes + counted.nodes / 4;
+        nodes_buffer = r_.device.allocate(node_capacity_ * sizeof(glm::uvec2));
+    }
+    return false;
+}
+
+void Columns::build() {
+    host_space_ = column_space(r_.frame, r_.scene.bounds());
+    r_.device.write(places, std::as_bytes(std::span<const glm::vec4>(column_places(host_space_, r_.scene))));
+    while (!bin_all()) {}
+}
+
+std::size_t Columns::bytes() const {
+    return farthest.size() + heads.size() + node_count_ * sizeof(glm::uvec2);
+}
+
+} // namespace gnomon

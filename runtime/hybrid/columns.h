@@ -1,0 +1,33 @@
+// The lists of triangles over and under each texel that holds a receiver: one conservative pass over the
+// scene, every triangle of either facing once.
+#pragma once
+
+#include "runtime/hybrid/column_space.h"
+#include "runtime/pipeline/resources.h"
+
+namespace gnomon {
+
+class Columns {
+public:
+    /// Throws Error for a perspective light.
+    explicit Columns(Resources& resources);
+
+    /// For the frame and receivers of now.
+    void build();
+
+    std::size_t nodes() const { return node_count_; } ///< entries of all lists together
+    std::size_t bytes() const;                        ///< of texels' heads and lists
+
+    // What detectors bind (kernels/hybrid/detect.glslh).
+    gpu::Buffer space, places, farthest, heads, nodes_buffer;
+
+private:
+    Resources& r_;
+    gpu::Kernel mark_, clear_, bin_, fill_;
+    gpu::Buffer bin_farthest_, counters_, pairs_;
+    std::size_t node_count_ = 0, node_capacity_ = 0, pair_capacity_ = 0;
+    shared::ColumnSpace host_space_{};
+    bool bin_all();
+};
+
+} // namespace gnomon

@@ -1,0 +1,143 @@
+// sheet, nearest-8 and lists: classifiers that are right wherever they are certain. [hybrid.md, sound
+// classifiers]
+#include "runtime/hybrid/columns.h"
+#include "runtime/hybrid/make.h"
+#include "runtime/hybrid/rings.h"
+
+namespace gnomon {
+namespace {
+
+/// What every kernel over texels starts with.
+gpu::Dispatch per_texel(const Resources& r) { return {.threads = {r.frame.size.z, r.frame.size.z, 1}}; }
+
+class Lists : public Classifier {
+public:
+    explicit Lists(Resources& resources)
+        : r_(resources), columns_(resources), detect_(resources.kernel("hybrid/detect_lists.comp")) {}
+
+    void create_maps() override { columns_.build(); }
+
+    void detect(gpu::Buffer& states) override {
+        r_.device.run(detect_,
+                      {&columns_.space, &r_.frame_buffer, &r_.receivers, &columns_.places, &r_.triangles,
+                       &states, &r_.visibility, &columns_.heads, &columns_.nodes_buffer},
+                      r_.per_pixel());
+    }
+
+    MapCost cost() const override {
+        return {columns_.nodes(), static_cast<double>(columns_.bytes()) /
+                                      (static_cast<double>(r_.frame.size.z) * r_.frame.size.z)};
+    }
+
+private:
+    Resources& r_;
+    Columns columns_;
+    gpu::Kernel detect_;
+};
+
+/// The sheets over the columns of a frame.
+class Sheets {
+public:
+    explicit Sheets(Resources& resources)
+        : depths(resources.device.allocate(std::size_t{resources.frame.size.z} * resources.frame.size.z *
+                                           sizeof(float))),
+          r_(resources), kernel_(resources.kernel("hybrid/sheets.comp")),
+          rings_(resources.device.upload(half_edge_rings(resources.scene))) {}
+
+    void build(const Columns& columns) {
+        r_.device.run(kernel_,
+                      {&columns.space, &columns.places, &r_.triangles, &columns.farthest, &columns.heads,
+                       &columns.nodes_buffer, &rings_, &depths},
+                      per_texel(r_));
+    }
+
+    gpu::Buffer depths; ///< per texel, of the nearest sheet that covers it
+
+private:
+    Resources& r_;
+    gpu::Kernel kernel_;
+    gpu::Buffer rings_;
+};
+
+class Sheet : public Classifier {
+public:
+    explicit Sheet(Resources& resources)
+        : r_(resources), columns_(resources), sheets_(resources),
+          detect_(resources.kernel("hybrid/detect_sheet.comp")) {}
+
+    void create_maps() override {
+        columns_.build();
+        sheets_.build(columns_);
+    }
+
+    void detect(gpu::Buffer& states) override {
+        r_.device.run(detect_,
+                      {&columns_.space, &r_.frame_buffer, &r_.receivers, &columns_.places, &r_.triangles,
+                       &states, &r_.visibility, &columns_.heads, &columns_.nodes_buffer, &sheets_.depths,
+                       &r_.world_texels},
+                      r_.per_pixel());
+    }
+
+    MapCost cost() const override {
+        return {columns_.nodes(), static_cast<double>(columns_.bytes() + sheets_.depths.size()) /
+                                      (static_cast<double>(r_.frame.size.z) * r_.frame.size.z)};
+    }
+
+private:
+    Resources& r_;
+    Columns columns_;
+    Sheets sheets_;
+    gpu::Kernel detect_;
+};
+
+class Nearest : public Classifier {
+public:
+    explicit Nearest(Resources& resources)
+        : r_(resources), columns_(resources), sheets_(resources),
+          nearest_(resources.kernel("hybrid/nearest.comp")),
+          detect_(resources.kernel("hybrid/detect_nearest.comp")),
+          records_(resources.device.allocate(std::size_t{resources.frame.size.z} * resources.frame.size.z *
+                                             record_bytes)) {}
+
+    void create_maps() override {
+        columns_.build();
+        sheets_.build(columns_);
+        r_.device.run(nearest_,
+                      {&columns_.space, &columns_.places, &r_.triangles, &columns_.farthest, &columns_.heads,
+                       &columns_.nodes_buffer, &records_},
+                      per_texel(r_));
+    }
+
+    void detect(gpu::Buffer& states) override {
+        // The lists stay bound, and are not read.
+        r_.device.run(detect_,
+                      {&columns_.space, &r_.frame_buffer, &r_.receivers, &columns_.places, &r_.triangles,
+                       &states, &r_.visibility, &columns_.heads, &columns_.nodes_buffer, &sheets_.depths,
+                       &records_},
+                      r_.per_pixel());
+    }
+
+    MapCost cost() const override {
+        return {columns_.nodes(),
+                static_cast<double>(columns_.bytes() + sheets_.depths.size() + records_.size()) /
+                    (static_cast<double>(r_.frame.size.z) * r_.frame.size.z)};
+    }
+
+private:
+    static constexpr std::size_t record_bytes = 9 * sizeof(std::uint32_t); // hybrid/nearest.glslh
+    Resources& r_;
+    Columns columns_;
+    Sheets sheets_;
+    gpu::Kernel nearest_, detect_;
+    gpu::Buffer records_;
+};
+
+} // namespace
+
+std::unique_ptr<Classifier> make_lists(Resources& resources) { return std::make_unique<Lists>(resources); }
+std::unique_ptr<Classifier> make_sheet(Resources& resources) { return std::make_unique<Sheet>(resources); }
+std::unique_ptr<Classifier> make_nearest(Resources& resources) {
+    return std::make_unique<Nearest>(resources);
+}
+
+} // namespace gnomon
