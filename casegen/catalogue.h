@@ -23,6 +23,9 @@ Family smsr_family();            // casegen/smsr.cpp
 Family rsmss_family();           // casegen/rsmss.cpp
 Family rbsm_silhouette_family(); // casegen/rbsm.cpp
 Family rbsm_filter_family();
+Family conservative_family();            // casegen/conservative.cpp
+Family adjacency_family();               // casegen/adjacency.cpp
+Family certainty_family();               // casegen/certainty.cpp
 std::vector<Family> integral_families(); // casegen/integral/
 
 const std::vector<Family>& catalogue();
