@@ -185,20 +185,23 @@ Truth depth_at(const Arguments& arguments) {
 
 Truth depth_bounds(const Arguments& arguments) {
     const bool edge_on = is_edge_on(arguments);
-    return truth_of(arguments, of_depths<13>(arguments), [&](const auto& n) {
+    Truth truth = truth_of(arguments, of_depths<13>(arguments), [&](const auto& n) {
         using T = std::decay_t<decltype(n[0])>;
-        const std::array<T, 2> range = depth_range<T>(n);
-        if (edge_on) return range;
+        if (edge_on) return depth_range<T>(n);
         // The plane's depth at the texel's four corners.
         const Plane<T> plane(n);
-        T nearest = range[1], farthest = range[0];
+        T nearest = plane.depth(n[9], n[10]), farthest = nearest;
         for (const double x : {-1, 1})
             for (const double y : {-1, 1}) {
                 const T depth = plane.depth(n[9] + T(x) * n[11], n[10] + T(y) * n[12]);
                 nearest = least(nearest, depth), farthest = most(farthest, depth);
             }
-        return std::array{most(nearest, range[0]), least(farthest, range[1])};
+        return std::array{nearest, farthest};
     });
+    // Where the plane leaves the triangle's own range, that still is what rounding can move.
+    const std::array<double, 2> range = depth_range<double>(arguments.numbers);
+    for (std::size_t k = 0; k < 2; ++k) truth.value[k] = std::clamp(truth.value[k], range[0], range[1]);
+    return truth;
 }
 
 unsigned bit_count(unsigned bits) { return (bits & 1) + (bits >> 1 & 1) + (bits >> 2 & 1); }
@@ -212,7 +215,7 @@ unsigned between(unsigned away) {
 
 bool keeps_order(const Triangle<double>& triangle, double lambda, unsigned away, unsigned cut) {
     const double sine = least_sine(triangle);
-    if (!is_broad(sine) || !(lambda >= 0)) return false;
+    if (!is_broad(sine) || !(lambda >= 0) || (lambda == 0 && cut != 0)) return false;
     const double margin = 0x1p-18 / sine; // kernels' heights and distances are good to 2^-21 / sine
     const double area = std::abs(area2(triangle[0], triangle[1], triangle[2]));
     std::array<double, 3> lengths, sines; // of edges and of corners
