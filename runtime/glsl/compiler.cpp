@@ -23,6 +23,8 @@ EShLanguage language(Stage stage) {
         return EShLangVertex;
     case Stage::fragment:
         return EShLangFragment;
+    case Stage::geometry:
+        return EShLangGeometry;
     case Stage::compute:
         break;
     }

@@ -18,7 +18,7 @@ struct Sources {
     std::map<std::string, std::string> generated; ///< name between <> to text
 };
 
-enum class Stage { compute, vertex, fragment };
+enum class Stage { compute, vertex, fragment, geometry };
 
 using Spirv = std::vector<std::uint32_t>;
 

@@ -103,6 +103,10 @@ Device::Device(const DeviceOptions& options) : context_(std::make_shared<Context
     features.features.robustBufferAccess = VK_TRUE; // a kernel that strays must not take the process with it
     features.features.depthClamp = VK_TRUE;
     features.features.vertexPipelineStoresAndAtomics = VK_FALSE;
+    VkPhysicalDeviceFeatures offered{};
+    vkGetPhysicalDeviceFeatures(c.physical, &offered);
+    c.geometry_shaders = offered.geometryShader == VK_TRUE; // Metal's drivers, for one, have none
+    features.features.geometryShader = offered.geometryShader;
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
@@ -126,6 +130,7 @@ Device::Device(const DeviceOptions& options) : context_(std::make_shared<Context
 }
 
 const DeviceInfo& Device::info() const { return context_->info; }
+bool Device::has_geometry_shaders() const { return context_->geometry_shaders; }
 std::uint32_t Device::max_image_side() const { return context_->properties.limits.maxImageDimension2D; }
 std::uint32_t Device::max_groups() const { return context_->properties.limits.maxComputeWorkGroupCount[0]; }
 

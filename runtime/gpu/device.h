@@ -87,7 +87,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// A raster pipeline: triangles whose vertex shader pulls from storage buffers by gl_VertexIndex.
+/// A raster pipeline: triangles whose vertex shader pulls from storage buffers by gl_VertexIndex. A geometry
+/// shader may stand between it and the rasteriser.
 class Raster {
 public:
     Raster();
@@ -101,9 +102,19 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+/// Which triangles are not drawn. The front is seen where corners go counter-clockwise in the picture, whose
+/// rows grow downwards.
+enum class Cull { none, front, back };
+
+/// What the vertex shader's invocations make up: three corners, or three with the far corners of the
+/// triangles beyond each edge in between (six; a geometry shader is needed).
+enum class Topology { triangles, triangles_with_adjacency };
+
 struct RasterState {
     std::vector<Format> colours; ///< one per fragment output
     bool clamp_depth = false;    ///< triangles beyond near and far keep their coverage at the clamped depth
+    Cull cull = Cull::none;      ///< winding is not to be relied upon
+    Topology topology = Topology::triangles;
 };
 
 struct Dispatch {
@@ -184,11 +195,14 @@ public:
 
     // Raster.
     Target target(std::uint32_t width, std::uint32_t height, Format format);
-    /// An empty `fragment` draws depth only.
+    /// An empty `fragment` draws depth only; an empty `geometry` is no such stage. Throws Error if there is
+    /// one and the device cannot run it (see has_geometry_shaders), or if `state` asks for adjacency without
+    /// one.
     Raster raster(const glsl::Spirv& vertex, const glsl::Spirv& fragment, const RasterState& state,
-                  std::string_view name);
-    /// Clears colours to 0 and depth to 1, then draws `vertices` / 3 triangles, both faces, nearer depth
-    /// wins.
+                  std::string_view name, const glsl::Spirv& geometry = {});
+    bool has_geometry_shaders() const;
+    /// Clears colours to 0 and depth to 1, then draws the triangles that `vertices` invocations of the vertex
+    /// shader make up; of equal depths and of nearer ones the last wins.
     double draw(Raster& raster, std::initializer_list<const Target*> colours, const Target& depth,
                 std::initializer_list<const Buffer*> buffers, std::uint32_t vertices,
                 std::span<const std::byte> constants = {});

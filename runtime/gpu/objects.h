@@ -43,6 +43,7 @@ struct Raster::Impl {
     Bindings bindings;
     Owned<VkPipeline> pipeline;
     RasterState state;
+    VkShaderStageFlags stages = 0;
 };
 
 Owned<VkShaderModule> shader_module(const std::shared_ptr<Context>& context, const glsl::Spirv& words);

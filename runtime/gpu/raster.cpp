@@ -10,6 +10,28 @@ VkFormat vulkan_format(Format format) {
     return format == Format::depth32_float ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
 }
 
+VkCullModeFlags cull_mode(Cull cull) {
+    switch (cull) {
+    case Cull::front:
+        return VK_CULL_MODE_FRONT_BIT;
+    case Cull::back:
+        return VK_CULL_MODE_BACK_BIT;
+    case Cull::none:
+        break;
+    }
+    return VK_CULL_MODE_NONE;
+}
+
+/// What `into` binds, and what a further stage does.
+void add_interface(glsl::Reflection& into, const glsl::Spirv& stage, std::string_view name) {
+    const glsl::Reflection extra = glsl::reflect(stage, name);
+    auto& numbers = into.storage_buffers;
+    numbers.insert(numbers.end(), extra.storage_buffers.begin(), extra.storage_buffers.end());
+    std::ranges::sort(numbers);
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    into.push_constant_bytes = std::max(into.push_constant_bytes, extra.push_constant_bytes);
+}
+
 VkImageAspectFlags aspect(Format format) {
     return format == Format::depth32_float ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 }
@@ -91,48 +113,51 @@ Target Device::target(std::uint32_t width, std::uint32_t height, Format format) 
 }
 
 Raster Device::raster(const glsl::Spirv& vertex, const glsl::Spirv& fragment, const RasterState& state,
-                      std::string_view name) {
+                      std::string_view name, const glsl::Spirv& geometry) {
+    if (!geometry.empty() && !has_geometry_shaders())
+        throw Error("{}: {} has no geometry shaders; choose another --device or technique", name,
+                    info().name);
+    const bool adjacency = state.topology == Topology::triangles_with_adjacency;
+    if (adjacency && geometry.empty()) throw Error("{}: adjacency is for a geometry shader", name);
+
     Raster raster;
     raster.impl_ = std::make_unique<Raster::Impl>();
     Raster::Impl& impl = *raster.impl_;
     impl.name = name;
     impl.state = state;
-    glsl::Reflection interface = glsl::reflect(vertex, name);
-    if (!fragment.empty()) {
-        const glsl::Reflection extra = glsl::reflect(fragment, name);
-        auto& numbers = interface.storage_buffers;
-        numbers.insert(numbers.end(), extra.storage_buffers.begin(), extra.storage_buffers.end());
-        std::ranges::sort(numbers);
-        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-        interface.push_constant_bytes = std::max(interface.push_constant_bytes, extra.push_constant_bytes);
-    }
-    constexpr VkShaderStageFlags stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-    impl.bindings = make_bindings(context_, interface.storage_buffers, interface.push_constant_bytes, stages);
+    glsl::Reflection interface;
+    std::vector<Owned<VkShaderModule>> modules; // kept until the pipeline is made
+    std::vector<VkPipelineShaderStageCreateInfo> shaders;
+    const auto add_stage = [&](const glsl::Spirv& words, VkShaderStageFlagBits stage) {
+        if (words.empty()) return;
+        add_interface(interface, words, name);
+        modules.push_back(shader_module(context_, words));
+        VkPipelineShaderStageCreateInfo shader{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+        shader.stage = stage;
+        shader.module = modules.back();
+        shader.pName = "main";
+        shaders.push_back(shader);
+        impl.stages |= static_cast<VkShaderStageFlags>(stage);
+    };
+    add_stage(vertex, VK_SHADER_STAGE_VERTEX_BIT);
+    add_stage(geometry, VK_SHADER_STAGE_GEOMETRY_BIT);
+    add_stage(fragment, VK_SHADER_STAGE_FRAGMENT_BIT);
+    impl.bindings =
+        make_bindings(context_, interface.storage_buffers, interface.push_constant_bytes, impl.stages);
 
-    const Owned<VkShaderModule> vertex_module = shader_module(context_, vertex);
-    Owned<VkShaderModule> fragment_module;
-    std::vector<VkPipelineShaderStageCreateInfo> shaders(
-        1, {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO});
-    shaders[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
-    shaders[0].module = vertex_module;
-    shaders[0].pName = "main";
-    if (!fragment.empty()) {
-        fragment_module = shader_module(context_, fragment);
-        shaders.push_back(shaders[0]);
-        shaders[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
-        shaders[1].module = fragment_module;
-    }
     const VkPipelineVertexInputStateCreateInfo input{
         VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     VkPipelineInputAssemblyStateCreateInfo assembly{
         VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
-    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    assembly.topology =
+        adjacency ? VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST_WITH_ADJACENCY : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
     viewport.viewportCount = viewport.scissorCount = 1;
     VkPipelineRasterizationStateCreateInfo rasterization{
         VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
     rasterization.depthClampEnable = state.clamp_depth ? VK_TRUE : VK_FALSE;
-    rasterization.cullMode = VK_CULL_MODE_NONE; // winding is not to be relied upon
+    rasterization.cullMode = cull_mode(state.cull);
+    rasterization.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     rasterization.lineWidth = 1.0f;
     VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
     samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
@@ -214,7 +239,7 @@ double Device::draw(Raster& raster, std::initializer_list<const Target*> colours
             vkCmdBeginRendering(commands, &rendering);
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, impl.pipeline);
             bind(*context_, commands, VK_PIPELINE_BIND_POINT_GRAPHICS, impl.bindings, handles, constants,
-                 VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, impl.name);
+                 impl.stages, impl.name);
             vkCmdSetViewport(commands, 0, 1, &viewport);
             vkCmdSetScissor(commands, 0, 1, &area);
             vkCmdDraw(commands, vertices, 1, 0, 0);

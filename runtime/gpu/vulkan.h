@@ -50,6 +50,7 @@ struct Context {
     VkPhysicalDeviceProperties properties{};
     VkPhysicalDeviceMemoryProperties memory{};
     DeviceInfo info;
+    bool geometry_shaders = false;
     double time_limit = 0; ///< seconds
     bool lost = false;     ///< hangs in a kernel, or was reset: nothing may be destroyed any more
 
