@@ -11,7 +11,9 @@ namespace gnomon::glsl {
 Reflection reflect(const Spirv& words, std::string_view name) try {
     const spirv_cross::Compiler compiler(words);
     for (const spv::Capability capability : compiler.get_declared_capabilities())
-        if (capability != spv::CapabilityShader && capability != spv::CapabilityMatrix)
+        // Geometry shaders are asked for by name, and the device refuses where it has none (Device::raster).
+        if (capability != spv::CapabilityShader && capability != spv::CapabilityMatrix &&
+            capability != spv::CapabilityGeometry)
             throw CompileError(
                 "{}:1: needs SPIR-V capability {} (float64, int64, subgroups …), which not every device has",
                 name, static_cast<int>(capability));
