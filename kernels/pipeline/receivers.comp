@@ -1,5 +1,6 @@
 // From the G-buffer: where each pixel is in the shadow map, how deep, on which plane, and whether it faces the light.
-// The plane is the triangle's own, turned towards the camera: interpolated normals would tilt it off the surface.
+// The plane is the triangle's own, turned towards the camera: interpolated normals would tilt it off the surface. They may
+// however say what faces the light, unturned, as the thesis has it.   [hybrid.md, conventions 3]
 #include "pipeline/frame.glslh"
 #include "pipeline/receiver.glslh"
 
@@ -8,7 +9,8 @@ layout(std430, binding = 0) readonly buffer Frames { Frame frame; };
 layout(std430, binding = 1) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 2) readonly buffer Triangles { uint indices[]; };
 layout(std430, binding = 3) readonly buffer World { vec4 world_and_triangle[]; };
-layout(std430, binding = 4) writeonly buffer Receivers { Receiver receivers[]; };
+layout(std430, binding = 4) readonly buffer Normals { vec4 normals[]; };
+layout(std430, binding = 5) writeonly buffer Receivers { Receiver receivers[]; };
 
 vec3 corner(uint triangle, uint k) {
     uint v = 3u * indices[3u * triangle + k];
@@ -47,7 +49,7 @@ void main() {
         across = -dot(normal, frame.axis.xyz);
     }
     vec2 slope = vec2(dot(normal, frame.texel_x.xyz), dot(normal, frame.texel_y.xyz)) / across;
-    bool facing = dot(normal, to_light) > 0.0;
+    bool facing = dot(frame.rules.x == 1u ? normals[index].xyz : normal, to_light) > 0.0;
     bool flat_test = frame.size.w == 0u || across == 0.0;
     receivers[index] = Receiver(vec4(position, value, facing ? 1.0 : 0.0), vec4(flat_test ? vec2(0.0) : slope, 0.0, 0.0),
                                 vec4(g.xyz + frame.range.w * normal, 0.0));

@@ -104,7 +104,7 @@ private:
 
 /// Which triangles are not drawn. The front is seen where corners go counter-clockwise in the picture, whose
 /// rows grow downwards.
-enum class Cull { none, front, back };
+enum class Cull { none = 0, front = 1, back = 2 };
 
 /// What the vertex shader's invocations make up: three corners, or three with the far corners of the
 /// triangles beyond each edge in between (six; a geometry shader is needed).

@@ -44,8 +44,8 @@ struct Hybrid::Impl {
         const gpu::HostView<glm::vec4> view = r.device.view<glm::vec4>(rays, n);
         const std::span<const glm::vec4> origins = view.values;
         const glm::vec3 light(r.frame.light_origin);
-        return r.frame.light_origin.w == 1.0f ? rays_by.visible_from(origins, light, r.frame.range.w)
-                                              : rays_by.visible_along(origins, light, r.frame.range.w);
+        return r.frame.light_origin.w == 1.0f ? rays_by.visible_from(origins, light, r.frame.eye.w)
+                                              : rays_by.visible_along(origins, light, r.frame.eye.w);
     }
 };
 

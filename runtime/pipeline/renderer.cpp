@@ -53,14 +53,15 @@ struct Renderer::Impl : Resources {
         depth = device.target(width, height, gpu::Format::depth32_float);
         shadow_depth = device.target(side, side, gpu::Format::depth32_float);
         gbuffer = device.raster(stage("gbuffer.vert"), stage("gbuffer.frag"),
-                                {{gpu::Format::rgba32_float, gpu::Format::rgba32_float}, false},
+                                {.colours = {gpu::Format::rgba32_float, gpu::Format::rgba32_float},
+                                 .cull = settings.cull_primary},
                                 "pipeline/gbuffer");
-        // A directional light's depth is linear by itself. Its near plane holds everything: clamping only
-        // mends rounding.
+        // A directional light's depth is linear by itself. Clamping mends rounding, and keeps what casts from
+        // before the near plane of a map that is fitted to the camera's frustum alone.
         const bool perspective = frame.light_origin.w == 1.0f;
-        shadow_map =
-            device.raster(stage("shadow_map.vert"), perspective ? stage("shadow_map.frag") : glsl::Spirv{},
-                          {{}, !perspective}, "pipeline/shadow_map");
+        shadow_map = device.raster(
+            stage("shadow_map.vert"), perspective ? stage("shadow_map.frag") : glsl::Spirv{},
+            {.clamp_depth = !perspective, .cull = settings.cull_shadow_map}, "pipeline/shadow_map");
         receivers_kernel = device.kernel(stage("receivers.comp"), "pipeline/receivers");
         shade_kernel = device.kernel(stage("shade.comp"), "pipeline/shade");
         const std::size_t pixels = std::size_t{width} * height;
@@ -107,10 +108,10 @@ struct Renderer::Impl : Resources {
         watch.add("g-buffer", drawn * 1e-6);
         world_texels = device.texels(world);
         normal_texels = device.texels(shading_normal);
-        watch.add("receivers",
-                  1e-6 * device.run(receivers_kernel,
-                                    {&frame_buffer, &positions, &triangles, &world_texels, &receivers},
-                                    per_pixel()));
+        watch.add("receivers", 1e-6 * device.run(receivers_kernel,
+                                                 {&frame_buffer, &positions, &triangles, &world_texels,
+                                                  &normal_texels, &receivers},
+                                                 per_pixel()));
     }
 
     void draw_shadow_map(Stopwatch& watch) {
@@ -141,8 +142,8 @@ struct Renderer::Impl : Resources {
         const glm::vec3 light(frame.light_origin);
         const std::vector<std::uint8_t> visible =
             frame.light_origin.w == 1.0f
-                ? rays.visible_from(origins, host_surfaces.facing, light, frame.range.w)
-                : rays.visible_along(origins, host_surfaces.facing, light, frame.range.w);
+                ? rays.visible_from(origins, host_surfaces.facing, light, frame.eye.w)
+                : rays.visible_along(origins, host_surfaces.facing, light, frame.eye.w);
         watch.add("trace", milliseconds_since(start));
         std::vector<float> result(visible.size());
         for (std::size_t i = 0; i < visible.size(); ++i)

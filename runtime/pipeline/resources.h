@@ -26,6 +26,7 @@ struct Resources {
     static glsl::Spirv stage(const std::string& file, const glsl::Sources& from) {
         const glsl::Stage kind = file.ends_with(".vert")   ? glsl::Stage::vertex
                                  : file.ends_with(".frag") ? glsl::Stage::fragment
+                                 : file.ends_with(".geom") ? glsl::Stage::geometry
                                                            : glsl::Stage::compute;
         return glsl::compile(from, stage_text(from, file), stage_name(from, file), kind);
     }

@@ -54,20 +54,6 @@ std::array<vec3, 8> corners(const Box& box) {
     return result;
 }
 
-std::array<vec3, 8> frustum_corners(const Camera& camera, float aspect) {
-    const Axes axes = axes_along(camera.direction);
-    const float tangent = std::tan(glm::radians(camera.fov) / 2);
-    std::array<vec3, 8> result{};
-    for (int i = 0; i < 8; ++i) {
-        const float distance = (i & 4) ? camera.far : camera.near;
-        const float x = ((i & 1) ? 1.0f : -1.0f) * tangent * aspect * distance;
-        const float y = ((i & 2) ? 1.0f : -1.0f) * tangent * distance;
-        result[static_cast<std::size_t>(i)] =
-            camera.position + distance * axes.forward + x * axes.right + y * axes.up;
-    }
-    return result;
-}
-
 /// The box around points in the coordinates of `axes`: x right, y up, z forward.
 template <std::size_t N>
 Box box_along(const Axes& axes, const std::array<vec3, N>& points) {
@@ -88,28 +74,29 @@ mat4 perspective(vec3 position, const Axes& axes, float fov, float aspect, float
     return projection * view;
 }
 
-void light_directional(shared::Frame& frame, const Light& light, const Camera& camera,
-                       const ViewSettings& settings, const Box& box) {
-    const Axes axes = axes_along(light.direction);
-    const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-    const Box scene = box_along(axes, corners(box));
-    const Box seen = box_along(axes, frustum_corners(camera, aspect));
-    vec3 lower = scene.lower, upper = scene.upper;
+/// What a light can see of the scene in its own axes (x right, y up, z forward): across it, what the camera
+/// can see too; along it, everything that casts.
+Box seen_box(const Axes& axes, const Box& box, const std::array<vec3, 8>& frustum) {
+    Box fit = box_along(axes, corners(box));
+    const Box seen = box_along(axes, frustum);
     for (int axis = 0; axis < 2; ++axis) {
-        const float low = std::max(scene.lower[axis], seen.lower[axis]);
-        const float high = std::min(scene.upper[axis], seen.upper[axis]);
+        const float low = std::max(fit.lower[axis], seen.lower[axis]);
+        const float high = std::min(fit.upper[axis], seen.upper[axis]);
         if (low < high) { // else the camera sees nothing of the scene and any map will do
-            lower[axis] = low;
-            upper[axis] = high;
+            fit.lower[axis] = low;
+            fit.upper[axis] = high;
         }
     }
     // A hair around it, so that a flat scene has a depth range and its border texels are whole.
-    const vec3 margin = 1e-3f * vec3(std::max(glm::length(upper - lower), 1e-6f));
-    lower -= margin;
-    upper += margin;
-    const vec3 extent = upper - lower;
-    const float side = static_cast<float>(settings.shadow_map);
+    const vec3 margin = 1e-3f * vec3(std::max(glm::length(fit.upper - fit.lower), 1e-6f));
+    fit.lower -= margin;
+    fit.upper += margin;
+    return fit;
+}
 
+/// A directional light whose map covers `fit`, a box in the light's axes.
+void light_directional(shared::Frame& frame, const Axes& axes, const Box& fit, float side) {
+    const vec3 lower = fit.lower, upper = fit.upper, extent = upper - lower;
     const auto row = [](vec3 direction, float scale, float offset) {
         return vec4(direction * scale, offset);
     };
@@ -123,6 +110,23 @@ void light_directional(shared::Frame& frame, const Light& light, const Camera& c
     frame.axis = vec4(axes.forward * extent.z, 0);
     frame.range.x = lower.z;
     frame.range.y = upper.z;
+}
+
+void light_directional(shared::Frame& frame, const Light& light, const Camera& camera,
+                       const ViewSettings& settings, const Box& box) {
+    const Axes axes = axes_along(light.direction);
+    const std::array<vec3, 8> frustum =
+        frustum_corners(camera, static_cast<float>(settings.width) / static_cast<float>(settings.height));
+    Box fit;
+    switch (settings.light_fit) {
+    case LightFit::seen_box:
+        fit = seen_box(axes, box, frustum);
+        break;
+    case LightFit::camera_frustum:
+        fit = box_along(axes, frustum);
+        break;
+    }
+    light_directional(frame, axes, fit, static_cast<float>(settings.shadow_map));
 }
 
 void light_perspective(shared::Frame& frame, const Light& light, const ViewSettings& settings,
@@ -148,6 +152,35 @@ void light_perspective(shared::Frame& frame, const Light& light, const ViewSetti
 
 } // namespace
 
+std::array<vec3, 8> frustum_corners(const Camera& camera, float aspect) {
+    const Axes axes = axes_along(camera.direction);
+    const float tangent = std::tan(glm::radians(camera.fov) / 2);
+    std::array<vec3, 8> result{};
+    for (int i = 0; i < 8; ++i) {
+        const float distance = (i & 4) ? camera.far : camera.near;
+        const float x = ((i & 1) ? 1.0f : -1.0f) * tangent * aspect * distance;
+        const float y = ((i & 2) ? 1.0f : -1.0f) * tangent * distance;
+        result[static_cast<std::size_t>(i)] =
+            camera.position + distance * axes.forward + x * axes.right + y * axes.up;
+    }
+    return result;
+}
+
+ViewSettings as_published(int width, int height, int shadow_map) {
+    ViewSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.shadow_map = shadow_map;
+    settings.choose_bias = false;
+    settings.receiver_plane = false;
+    settings.light_fit = LightFit::camera_frustum;
+    settings.facing = Facing::vertex_normals;
+    settings.cull_primary = gpu::Cull::back;
+    settings.cull_shadow_map = gpu::Cull::front;
+    settings.ray_begin = 0.01f;
+    return settings;
+}
+
 void require_valid(const Camera& camera, const Light& light, const ViewSettings& settings) {
     const auto require_side = [](int side, const char* option) {
         if (side < 1 || side > 16384) throw Error("{} is {}; 1 to 16384 is possible", option, side);
@@ -169,6 +202,9 @@ void require_valid(const Camera& camera, const Light& light, const ViewSettings&
         throw Error("--near is {} and --far is {}; 0 < near < far is needed", camera.near, camera.far);
     if (!(settings.bias >= 0) || !std::isfinite(settings.bias))
         throw Error("--bias is {}; it must be 0 (choose for me) or a positive distance", settings.bias);
+    if (!(settings.ray_begin >= 0) || !std::isfinite(settings.ray_begin))
+        throw Error("shadow rays begin at {}; it must be 0 (choose for me) or a positive distance",
+                    settings.ray_begin);
 }
 
 Camera default_camera(const Box& box, float aspect) {
@@ -203,14 +239,17 @@ shared::Frame make_frame(const Camera& camera, const Light& light, const ViewSet
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     frame.camera = perspective(camera.position, axes_along(camera.direction), camera.fov, aspect, camera.near,
                                camera.far);
-    frame.eye = vec4(camera.position, 0);
     if (light.position)
         light_perspective(frame, light, settings, box);
     else
         light_directional(frame, light, camera, settings, box);
     const float range = frame.range.y - frame.range.x;
-    frame.range.z = settings.bias > 0 ? settings.bias / range : bias_of_range;
-    frame.range.w = lift_of_diagonal * box.diagonal();
+    frame.range.z = settings.bias > 0 ? settings.bias / range : settings.choose_bias ? bias_of_range : 0.0f;
+    const float chosen = lift_of_diagonal * box.diagonal();
+    frame.range.w = settings.ray_begin > 0 ? 0 : chosen;
+    frame.eye = vec4(camera.position, settings.ray_begin > 0 ? settings.ray_begin : chosen);
+    frame.rules.y = static_cast<unsigned>(settings.cull_shadow_map);
+    frame.rules.x = settings.facing == Facing::vertex_normals ? 1 : 0;
     frame.size = {static_cast<unsigned>(settings.width), static_cast<unsigned>(settings.height),
                   static_cast<unsigned>(settings.shadow_map), settings.receiver_plane ? 1u : 0u};
     return frame;

@@ -1,6 +1,7 @@
 // Camera and light, and the frame that they make over a scene.
 #pragma once
 
+#include "runtime/gpu/device.h"
 #include "runtime/pipeline/frame.h"
 #include "runtime/scene.h"
 
@@ -25,12 +26,36 @@ struct Light {
     float fov = 90;                         ///< degrees, of a perspective light, in x and y
 };
 
+/// What a directional light's map covers.
+enum class LightFit {
+    seen_box, ///< across the light the part of the scene's box that the camera can see, along it the box
+    camera_frustum, ///< the box, in the light's axes, of the camera frustum's eight corners, and no more
+};
+
+/// Which normal says whether a surface faces the light.
+enum class Facing {
+    triangle,       ///< its triangle's, turned towards the camera
+    vertex_normals, ///< the interpolated vertex normal, as it is
+};
+
 struct ViewSettings {
     int width = 1024, height = 768;
     int shadow_map = 1024;      ///< texels on a side
-    float bias = 0;             ///< world units along the light's axis; 0: chosen from the depth range
+    float bias = 0;             ///< world units along the light's axis; 0: chosen from the depth range …
+    bool choose_bias = true;    ///< … unless this is false: then 0 is 0
     bool receiver_plane = true; ///< else the receiver's depth is taken as constant across texels
+    LightFit light_fit = LightFit::seen_box;
+    Facing facing = Facing::triangle;
+    gpu::Cull cull_primary = gpu::Cull::none, cull_shadow_map = gpu::Cull::none;
+    /// Where a shadow ray begins to hit, in world units from the surface itself. 0: chosen from the scene's
+    /// diagonal, and the ray starts as far above the surface.
+    float ray_begin = 0;
 };
+
+/// The conventions under which the thesis on CRSMA counted its pixels, which it mostly leaves unsaid: back
+/// faces culled for the camera and front faces for the light, facing by vertex normals, no bias, shadow rays
+/// from the surface itself that hit from 0.01 on, a map that covers the camera's frustum (docs/hybrid.md).
+ViewSettings as_published(int width, int height, int shadow_map);
 
 /// Throws Error naming the option: a direction that is zero or not finite, near or far out of order, a field
 /// of view outside (0, 180), a size or shadow map outside 1 … 16384, a scene seen from inside out (near
@@ -41,10 +66,12 @@ void require_valid(const Camera& camera, const Light& light, const ViewSettings&
 /// width over its height.
 Camera default_camera(const Box& box, float aspect);
 
-/// What the stages need. A directional light's map covers, across the light, the part of the scene's box that
-/// the camera's frustum can see, and along it the whole box: everything that casts. A perspective light's
-/// reaches from `near` = 1/1000 of the farthest corner to that corner. Throws Error if a perspective light
-/// sees nothing of the box.
+/// The corners of the camera's frustum: near before far. `aspect` is the image's width over its height.
+std::array<glm::vec3, 8> frustum_corners(const Camera& camera, float aspect);
+
+/// What the stages need. What a directional light's map covers says `settings.light_fit`; texels need not be
+/// square. A perspective light's reaches from `near` = 1/1000 of the scene's farthest corner to that corner.
+/// Throws Error if a perspective light sees nothing of the box.
 shared::Frame make_frame(const Camera& camera, const Light& light, const ViewSettings& settings,
                          const Box& box);
 
