@@ -30,6 +30,7 @@ void add_census(CLI::App& app, Common& common, int& exit_code);
 void add_atlas(CLI::App& app, Common& common, int& exit_code);
 void add_bench(CLI::App& app, Common& common);
 void add_worst(CLI::App& app, Common& common, int& exit_code);
+void add_reproduce(CLI::App& app, Common& common);
 void add_demo(CLI::App& app, Common& common, int& exit_code);
 
 } // namespace gnomon::cli

@@ -14,6 +14,9 @@ const std::vector<HybridTechnique>& hybrid_techniques() {
         {"nearest-8", "sheet, and the ray against the eight triangles nearest to the light", true,
          make_nearest},
         {"lists", "the ray against every triangle of its texel's list", true, make_lists},
+        {"beister", "one map; certain where its four diagonal taps agree", false, make_beister},
+        {"bilinear", "one map; certain where its bilinear footprint agrees", false, make_bilinear},
+        {"crsm", "maps of grown and of shrunken triangles that face away", false, make_crsm},
     };
     return all;
 }

@@ -214,6 +214,14 @@ Rendering Renderer::render(const Technique& technique, int frames) {
             technique.kind == Technique::Kind::hybrid ? std::optional(r.hybrid_frame) : std::nullopt};
 }
 
+std::vector<float> Renderer::visibility(const Technique& technique) {
+    Impl& r = *impl_;
+    Stopwatch ignored;
+    r.read_receivers(); // draws the G-buffer if nothing did yet
+    r.find_visibility(technique, ignored);
+    return r.device.read<float>(r.visibility);
+}
+
 std::vector<std::uint64_t> Renderer::census(const Technique& technique) {
     Impl& r = *impl_;
     Stopwatch ignored;
@@ -267,7 +275,7 @@ double Renderer::time_first_visibility(const Technique& technique) {
 
 std::vector<PixelState> Renderer::states(const Technique& technique) {
     Impl& r = *impl_;
-    if (!r.hybrids.contains(technique.name)) render(technique, 1);
+    if (!r.hybrids.contains(technique.name)) visibility(technique);
     return r.hybrids.at(technique.name).states();
 }
 

@@ -54,6 +54,9 @@ public:
     /// Renders `frames` + 1 times (at least 2) and keeps the medians of the last `frames`.
     Rendering render(const Technique& technique, int frames = 5);
 
+    /// The same visibility, of one frame that is not shaded.
+    std::vector<float> visibility(const Technique& technique);
+
     /// Pixels that the technique's kernels are asked about, by the number of their case: as many numbers as
     /// census_size. 0 is no case. The technique's family must have a kernel `number`.
     std::vector<std::uint64_t> census(const Technique& technique);

@@ -1,0 +1,27 @@
+#include "cli/reproduce/counts.h"
+
+#include "casegen/csv.h"
+
+namespace gnomon::cli {
+
+std::vector<PrintedCount> read_printed_counts(const std::filesystem::path& path) {
+    const Csv csv = read_csv(path);
+    const std::size_t table = csv.column("table"), view = csv.column("view"), width = csv.column("width"),
+                      height = csv.column("height"), map = csv.column("map"),
+                      technique = csv.column("technique"), quantity = csv.column("quantity"),
+                      value = csv.column("value");
+    std::vector<PrintedCount> counts;
+    for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+        const auto number = [&](std::size_t column) {
+            return parse_word(Scalar::uint32, csv.rows[row][column], csv.place(row, column));
+        };
+        const auto size = [&](std::size_t column) { return static_cast<int>(number(column)); };
+        counts.push_back({size(table),
+                          {csv.rows[row][view], size(width), size(height), size(map),
+                           csv.rows[row][technique], csv.rows[row][quantity]},
+                          number(value)});
+    }
+    return counts;
+}
+
+} // namespace gnomon::cli
