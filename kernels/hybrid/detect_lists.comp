@@ -1,14 +1,18 @@
-// lists: the ray against every triangle of its column. Only what grazes an edge or the origin stays uncertain.
+// lists: the ray against every triangle of its column. Only what grazes a silhouette, a corner or the origin stays uncertain.
 //                                                                                       [hybrid.md, sound classifiers: lists]
 #include "hybrid/detect.glslh"
-#include "column/hit.glsl"
+#include "hybrid/hit_triangle.glslh"
+
+layout(std430, binding = 8) readonly buffer Heads { uint heads[]; };
+layout(std430, binding = 9) readonly buffer Nodes { uvec2 nodes[]; };
+layout(std430, binding = 10) readonly buffer Rings { uint next_half_edge[]; };
+
+uint next_of(uint half_edge) { return next_half_edge[half_edge]; }
 
 uint detect(Asking asking) {
     uint state = LIT;
-    for (uint node = heads[texel_index(asking.texel)]; node != NO_NODE; node = nodes[node].y) {
-        uint triangle = nodes[node].x;
-        uint hit = column_hit(place(triangle, 0u), place(triangle, 1u), place(triangle, 2u), asking.origin, space.margin.z,
-                              space.margin.x, space.margin.y);
+    for (uint node = heads[asking.slot]; node != NO_NODE; node = nodes[node].y) {
+        uint hit = hit_triangle(nodes[node].x, asking.origin);
         if (hit == 1u) return SHADOWED;
         if (hit == 2u) state = UNCERTAIN;
     }

@@ -4,24 +4,25 @@
 #include "column/depth_bounds.glsl"
 #include "hybrid/below.glslh"
 
-layout(std430, binding = 9) readonly buffer Sheets { float sheets[]; };
-layout(std430, binding = 10) readonly buffer World { vec4 world_and_triangle[]; };
+layout(std430, binding = 8) readonly buffer Heads { uint heads[]; };
+layout(std430, binding = 9) readonly buffer Nodes { uvec2 nodes[]; };
+layout(std430, binding = 10) readonly buffer Sheets { float sheets[]; };
+layout(std430, binding = 11) readonly buffer World { vec4 world_and_triangle[]; };
 
 uint detect(Asking asking) {
-    uint index = texel_index(asking.texel);
-    float end = asking.origin.z - space.margin.z;
-    if (sheets[index] + space.margin.y < end) return SHADOWED;
+    float end = asking.origin.z - space.receiver.z;
+    if (sheets[asking.slot] + space.receiver.y < end) return SHADOWED;
     vec2 centre = texel_centre(asking.texel);
-    float half_side = 0.5 + 2.0 * space.margin.x;
     uint number = uint(world_and_triangle[asking.pixel].w) - 1u;
-    Own own = own_triangle(place(number, 0u), place(number, 1u), place(number, 2u), asking.origin, centre);
-    for (uint node = heads[index]; node != NO_NODE; node = nodes[node].y) {
+    Own own = own_triangle(solid(number), asking.origin, centre);
+    for (uint node = heads[asking.slot]; node != NO_NODE; node = nodes[node].y) {
         uint triangle = nodes[node].x;
-        vec3 p[3] = vec3[](place(triangle, 0u), place(triangle, 1u), place(triangle, 2u));
-        if (column_depth_bounds(p[0], p[1], p[2], centre, half_side, space.margin.x).x - space.margin.y > end) continue;
+        Solid t = solid(triangle);
+        if (column_depth_bounds(t.p[0], t.p[1], t.p[2], centre, half_texel(t), t.margin).x - t.margin_z > end) continue;
         if (own.usable) {
-            vec4 plane = column_plane(p[0], p[1], p[2], centre, half_side, space.corner.x);
-            if (triangle == number || nowhere_above(own, plane, half_side) || beside(own, p, plane)) continue;
+            if (triangle == number) continue;
+            vec4 plane = plane_of(t, centre);
+            if (known_well(plane, t) && (nowhere_above(own, t, plane) || beside(own, t, plane))) continue;
         }
         return UNCERTAIN;
     }

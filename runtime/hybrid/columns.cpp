@@ -1,6 +1,7 @@
 #include "runtime/hybrid/columns.h"
 
 #include "runtime/error.h"
+#include "runtime/hybrid/rings.h"
 
 #include <algorithm>
 
@@ -16,17 +17,19 @@ struct Counters {
 } // namespace
 
 Columns::Columns(Resources& resources)
-    : r_(resources), mark_(resources.kernel("hybrid/mark.comp")),
-      clear_(resources.kernel("hybrid/clear.comp")), bin_(resources.kernel("hybrid/bin.comp")),
-      fill_(resources.kernel("hybrid/fill_lists.comp")) {
+    : r_(resources), seen_(resources), clear_(resources.kernel("hybrid/clear.comp")),
+      mark_(resources.kernel("hybrid/mark.comp")), farthest_kernel_(resources.kernel("hybrid/farthest.comp")),
+      bin_(resources.kernel("hybrid/bin.comp")), fill_(resources.kernel("hybrid/fill_lists.comp")) {
     if (r_.frame.light_origin.w == 1.0f)
         throw Error(
             "columns need a directional light; leave --light-position out, or take another technique");
     const std::size_t side = r_.frame.size.z, bins = (side + bin_side - 1) / bin_side;
     space = r_.device.allocate(sizeof(shared::ColumnSpace));
     places = r_.device.allocate(r_.scene.positions.size() * sizeof(glm::vec4));
-    farthest = r_.device.allocate(side * side * sizeof(std::uint32_t));
-    heads = r_.device.allocate(side * side * sizeof(std::uint32_t));
+    slots = r_.device.allocate(side * side * sizeof(std::uint32_t));
+    farthest = r_.device.allocate(r_.pixels() * sizeof(std::uint32_t));
+    heads = r_.device.allocate(r_.pixels() * sizeof(std::uint32_t));
+    rings = r_.device.upload(half_edge_rings(r_.scene));
     bin_farthest_ = r_.device.allocate(bins * bins * sizeof(std::uint32_t));
     counters_ = r_.device.allocate(sizeof(Counters));
     node_capacity_ = std::max<std::size_t>(1 << 16, 4 * r_.scene.triangles.size());
@@ -40,22 +43,25 @@ bool Columns::bin_all() {
                         static_cast<std::uint32_t>(node_capacity_),
                         static_cast<std::uint32_t>(pair_capacity_)};
     r_.device.write(space, gpu::bytes_of(host_space_));
-    const std::uint32_t texels = r_.frame.size.z * r_.frame.size.z;
-    r_.device.run(clear_, {&space, &farthest, &bin_farthest_, &heads}, {.threads = {texels, 1, 1}});
-    r_.device.run(mark_, {&space, &r_.frame_buffer, &r_.receivers, &farthest, &bin_farthest_},
+    const std::size_t texels = std::size_t{r_.frame.size.z} * r_.frame.size.z;
+    r_.device.run(clear_, {&space, &slots, &bin_farthest_}, Resources::linear(texels));
+    r_.device.run(mark_, {&space, &r_.frame_buffer, &r_.receivers, &slots, &farthest, &heads},
+                  r_.per_pixel());
+    r_.device.run(farthest_kernel_,
+                  {&space, &r_.frame_buffer, &r_.receivers, &slots, &farthest, &bin_farthest_},
                   r_.per_pixel());
     const Counters none;
     r_.device.write(counters_, gpu::bytes_of(none));
     r_.device.run(bin_,
-                  {&space, &places, &r_.triangles, &farthest, &bin_farthest_, &heads, &nodes_buffer,
+                  {&space, &places, &r_.triangles, &slots, &farthest, &bin_farthest_, &heads, &nodes_buffer,
                    &counters_, &pairs_},
-                  {.threads = {host_space_.size.y, 1, 1}});
+                  Resources::linear(host_space_.size.y));
     Counters counted = r_.device.read<Counters>(counters_).front();
     if (counted.pairs > 0 && counted.pairs <= pair_capacity_)
         r_.device.run(fill_,
-                      {&space, &places, &r_.triangles, &farthest, &bin_farthest_, &heads, &nodes_buffer,
-                       &counters_, &pairs_},
-                      {.threads = {counted.pairs, 1, 1}});
+                      {&space, &places, &r_.triangles, &slots, &farthest, &bin_farthest_, &heads,
+                       &nodes_buffer, &counters_, &pairs_},
+                      Resources::linear(counted.pairs));
     counted = r_.device.read<Counters>(counters_).front();
     node_count_ = counted.nodes;
     if (counted.nodes <= node_capacity_ && counted.pairs <= pair_capacity_) return true;
@@ -72,13 +78,16 @@ bool Columns::bin_all() {
 }
 
 void Columns::build() {
-    host_space_ = column_space(r_.frame, r_.scene.bounds());
+    const std::optional<Seen> seen = seen_.find();
+    node_count_ = 0;
+    if (!seen) return; // no pixel asks
+    host_space_ = column_space(r_.frame, seen->world);
     r_.device.write(places, std::as_bytes(std::span<const glm::vec4>(column_places(host_space_, r_.scene))));
     while (!bin_all()) {}
 }
 
 std::size_t Columns::bytes() const {
-    return farthest.size() + heads.size() + node_count_ * sizeof(glm::uvec2);
+    return slots.size() + farthest.size() + heads.size() + node_count_ * sizeof(glm::uvec2);
 }
 
 } // namespace gnomon

@@ -4,6 +4,7 @@
 
 #include "runtime/hybrid/column_space.h"
 #include "runtime/pipeline/resources.h"
+#include "runtime/pipeline/seen.h"
 
 namespace gnomon {
 
@@ -16,18 +17,19 @@ public:
     void build();
 
     std::size_t nodes() const { return node_count_; } ///< entries of all lists together
-    std::size_t bytes() const;                        ///< of texels' heads and lists
+    std::size_t bytes() const;                        ///< of slots and lists
 
     // What detectors bind (kernels/hybrid/detect.glslh).
-    gpu::Buffer space, places, farthest, heads, nodes_buffer;
+    gpu::Buffer space, places, slots, farthest, heads, nodes_buffer, rings;
 
 private:
     Resources& r_;
-    gpu::Kernel mark_, clear_, bin_, fill_;
+    SeenBounds seen_;
+    gpu::Kernel clear_, mark_, farthest_kernel_, bin_, fill_;
     gpu::Buffer bin_farthest_, counters_, pairs_;
     std::size_t node_count_ = 0, node_capacity_ = 0, pair_capacity_ = 0;
     shared::ColumnSpace host_space_{};
-    bool bin_all();
+    bool bin_all(); ///< false: there was too little room, now there is enough
 };
 
 } // namespace gnomon

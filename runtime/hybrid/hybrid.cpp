@@ -70,8 +70,9 @@ HybridFrame Hybrid::run(Stopwatch& watch) {
         watch.time("trace", [&] { lit = h.trace(counts.x, tracer); });
         watch.time("fix", [&] {
             h.r.device.write(h.lit, std::as_bytes(std::span(lit)));
-            h.r.device.run(h.fix_kernel, {&h.pixels, &h.lit, &h.r.visibility},
-                           {.threads = {counts.x, 1, 1}, .constants = gpu::bytes_of(counts.x)});
+            gpu::Dispatch per_ray = Resources::linear(counts.x);
+            per_ray.constants = gpu::bytes_of(counts.x);
+            h.r.device.run(h.fix_kernel, {&h.pixels, &h.lit, &h.r.visibility}, per_ray);
         });
     }
     return {counts.y, counts.x, h.classifier->cost()};

@@ -2,13 +2,9 @@
 // classifiers]
 #include "runtime/hybrid/columns.h"
 #include "runtime/hybrid/make.h"
-#include "runtime/hybrid/rings.h"
 
 namespace gnomon {
 namespace {
-
-/// What every kernel over texels starts with.
-gpu::Dispatch per_texel(const Resources& r) { return {.threads = {r.frame.size.z, r.frame.size.z, 1}}; }
 
 class Lists : public Classifier {
 public:
@@ -19,8 +15,9 @@ public:
 
     void detect(gpu::Buffer& states) override {
         r_.device.run(detect_,
-                      {&columns_.space, &r_.frame_buffer, &r_.receivers, &columns_.places, &r_.triangles,
-                       &states, &r_.visibility, &columns_.heads, &columns_.nodes_buffer},
+                      {&columns_.space, &columns_.places, &r_.triangles, &r_.frame_buffer, &r_.receivers,
+                       &states, &r_.visibility, &columns_.slots, &columns_.heads, &columns_.nodes_buffer,
+                       &columns_.rings},
                       r_.per_pixel());
     }
 
@@ -39,16 +36,14 @@ private:
 class Sheets {
 public:
     explicit Sheets(Resources& resources)
-        : depths(resources.device.allocate(std::size_t{resources.frame.size.z} * resources.frame.size.z *
-                                           sizeof(float))),
-          r_(resources), kernel_(resources.kernel("hybrid/sheets.comp")),
-          rings_(resources.device.upload(half_edge_rings(resources.scene))) {}
+        : depths(resources.device.allocate(resources.pixels() * sizeof(float))), r_(resources),
+          kernel_(resources.kernel("hybrid/sheets.comp")) {}
 
     void build(const Columns& columns) {
         r_.device.run(kernel_,
                       {&columns.space, &columns.places, &r_.triangles, &columns.farthest, &columns.heads,
-                       &columns.nodes_buffer, &rings_, &depths},
-                      per_texel(r_));
+                       &columns.nodes_buffer, &columns.rings, &depths, &r_.frame_buffer, &r_.receivers},
+                      r_.per_pixel());
     }
 
     gpu::Buffer depths; ///< per texel, of the nearest sheet that covers it
@@ -56,7 +51,6 @@ public:
 private:
     Resources& r_;
     gpu::Kernel kernel_;
-    gpu::Buffer rings_;
 };
 
 class Sheet : public Classifier {
@@ -72,9 +66,9 @@ public:
 
     void detect(gpu::Buffer& states) override {
         r_.device.run(detect_,
-                      {&columns_.space, &r_.frame_buffer, &r_.receivers, &columns_.places, &r_.triangles,
-                       &states, &r_.visibility, &columns_.heads, &columns_.nodes_buffer, &sheets_.depths,
-                       &r_.world_texels},
+                      {&columns_.space, &columns_.places, &r_.triangles, &r_.frame_buffer, &r_.receivers,
+                       &states, &r_.visibility, &columns_.slots, &columns_.heads, &columns_.nodes_buffer,
+                       &sheets_.depths, &r_.world_texels},
                       r_.per_pixel());
     }
 
@@ -96,24 +90,21 @@ public:
         : r_(resources), columns_(resources), sheets_(resources),
           nearest_(resources.kernel("hybrid/nearest.comp")),
           detect_(resources.kernel("hybrid/detect_nearest.comp")),
-          records_(resources.device.allocate(std::size_t{resources.frame.size.z} * resources.frame.size.z *
-                                             record_bytes)) {}
+          records_(resources.device.allocate(resources.pixels() * record_bytes)) {}
 
     void create_maps() override {
         columns_.build();
         sheets_.build(columns_);
         r_.device.run(nearest_,
                       {&columns_.space, &columns_.places, &r_.triangles, &columns_.farthest, &columns_.heads,
-                       &columns_.nodes_buffer, &records_},
-                      per_texel(r_));
+                       &columns_.nodes_buffer, &records_, &r_.frame_buffer, &r_.receivers},
+                      r_.per_pixel());
     }
 
     void detect(gpu::Buffer& states) override {
-        // The lists stay bound, and are not read.
         r_.device.run(detect_,
-                      {&columns_.space, &r_.frame_buffer, &r_.receivers, &columns_.places, &r_.triangles,
-                       &states, &r_.visibility, &columns_.heads, &columns_.nodes_buffer, &sheets_.depths,
-                       &records_},
+                      {&columns_.space, &columns_.places, &r_.triangles, &r_.frame_buffer, &r_.receivers,
+                       &states, &r_.visibility, &columns_.slots, &sheets_.depths, &records_, &columns_.rings},
                       r_.per_pixel());
     }
 

@@ -3,6 +3,7 @@
 #include "runtime/error.h"
 #include "runtime/hybrid/hybrid.h"
 #include "runtime/pipeline/resources.h"
+#include "runtime/pipeline/seen.h"
 
 #include <algorithm>
 #include <chrono>
@@ -24,6 +25,9 @@ struct Renderer::Impl : Resources {
     gpu::Target world, shading_normal, depth, shadow_depth;
     gpu::Raster gbuffer, shadow_map;
     gpu::Kernel receivers_kernel, shade_kernel;
+    std::optional<SeenBounds> seen_bounds;
+    ViewSettings settings;
+    shared::Frame wide; // the frame before its map is fitted to the visible points
     std::map<std::string, gpu::Kernel> visibility_kernels; // by technique and its texts
     LazyTracer tracer;
     std::map<std::string, Hybrid> hybrids;
@@ -34,10 +38,10 @@ struct Renderer::Impl : Resources {
     Surfaces host_surfaces;
 
     Impl(gpu::Device& on, glsl::Sources from, const Scene& of, const Camera& camera, const Light& light,
-         const ViewSettings& settings)
-        : Resources{on, std::move(from), of, make_frame(camera, light, settings, of.bounds()),
+         const ViewSettings& with)
+        : Resources{on, std::move(from), of, make_frame(camera, light, with, of.bounds()),
                     static_cast<std::uint32_t>(3 * of.triangles.size())},
-          tracer(of) {
+          settings(with), wide(frame), tracer(of) {
         constexpr std::size_t most = (std::size_t{1} << 24) - 1;
         if (scene.triangles.size() > most)
             throw Error("{}: {} triangles; the G-buffer counts to {}", scene.name, scene.triangles.size(),
@@ -64,6 +68,7 @@ struct Renderer::Impl : Resources {
             {.clamp_depth = !perspective, .cull = settings.cull_shadow_map}, "pipeline/shadow_map");
         receivers_kernel = device.kernel(stage("receivers.comp"), "pipeline/receivers");
         shade_kernel = device.kernel(stage("shade.comp"), "pipeline/shade");
+        if (settings.light_fit == LightFit::visible_points && !perspective) seen_bounds.emplace(*this);
         const std::size_t pixels = std::size_t{width} * height;
         receivers = device.allocate(pixels * sizeof(shared::Receiver));
         visibility = device.allocate(pixels * sizeof(float));
@@ -108,10 +113,28 @@ struct Renderer::Impl : Resources {
         watch.add("g-buffer", drawn * 1e-6);
         world_texels = device.texels(world);
         normal_texels = device.texels(shading_normal);
-        watch.add("receivers", 1e-6 * device.run(receivers_kernel,
-                                                 {&frame_buffer, &positions, &triangles, &world_texels,
-                                                  &normal_texels, &receivers},
-                                                 per_pixel()));
+        if (seen_bounds) {
+            frame = wide;
+            device.write(frame_buffer, gpu::bytes_of(frame));
+        }
+        watch.add("receivers", find_receivers());
+        if (seen_bounds) watch.time("fit light", [&] { fit_light(); });
+    }
+
+    double find_receivers() {
+        return 1e-6 *
+               device.run(receivers_kernel,
+                          {&frame_buffer, &positions, &triangles, &world_texels, &normal_texels, &receivers},
+                          per_pixel());
+    }
+
+    /// The map over what the receivers need of it.
+    void fit_light() {
+        const std::optional<Seen> seen = seen_bounds->find();
+        if (!seen) return; // nothing faces the light
+        frame = refitted(wide, seen->lower, seen->upper);
+        device.write(frame_buffer, gpu::bytes_of(frame));
+        find_receivers();
     }
 
     void draw_shadow_map(Stopwatch& watch) {
@@ -196,6 +219,17 @@ Renderer::Renderer(gpu::Device& device, glsl::Sources sources, const Scene& scen
                    const Light& light, const ViewSettings& settings)
     : impl_(std::make_unique<Impl>(device, std::move(sources), scene, camera, light, settings)) {}
 Renderer::~Renderer() = default;
+
+void Renderer::look(const Camera& camera, const Light& light) {
+    Impl& r = *impl_;
+    const shared::Frame frame = make_frame(camera, light, r.settings, r.scene.bounds());
+    if (frame.light_origin.w != r.frame.light_origin.w)
+        throw std::invalid_argument("Renderer::look: the light is of another kind");
+    r.frame = r.wide = frame;
+    r.device.write(r.frame_buffer, gpu::bytes_of(r.frame));
+    r.host_receivers.clear();
+    r.host_surfaces = {};
+}
 
 Rendering Renderer::render(const Technique& technique, int frames) {
     Impl& r = *impl_;

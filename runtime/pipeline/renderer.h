@@ -51,6 +51,10 @@ public:
              const Light& light, const ViewSettings& settings);
     ~Renderer();
 
+    /// From another camera, in another light of the same kind, with the settings that it has. Throws Error as
+    /// the constructor does; then nothing has changed.
+    void look(const Camera& camera, const Light& light);
+
     /// Renders `frames` + 1 times (at least 2) and keeps the medians of the last `frames`.
     Rendering render(const Technique& technique, int frames = 5);
 

@@ -7,6 +7,8 @@
 #include "runtime/pipeline/technique.h"
 #include "runtime/scene.h"
 
+#include <algorithm>
+
 namespace gnomon {
 
 struct Resources {
@@ -33,6 +35,15 @@ struct Resources {
     gpu::Kernel kernel(const std::string& file) const { return device.kernel(stage(file), file); }
 
     std::size_t pixels() const { return std::size_t{frame.size.x} * frame.size.y; }
+    /// `n` invocations in as many rows of workgroups as the device needs (kernels/pipeline/linear.glslh).
+    static gpu::Dispatch linear(std::size_t n) {
+        constexpr std::size_t row = std::size_t{1} << 21; // 32,768 workgroups of 64
+        const auto rows = static_cast<std::uint32_t>((n + row - 1) / row);
+        return {.threads = {static_cast<std::uint32_t>(std::min(n, row)), std::max(rows, 1u), 1}};
+    }
+    std::uint32_t tiles() const {
+        return ((frame.size.x + 15) / 16) * ((frame.size.y + 15) / 16);
+    } ///< hybrid/tile.glslh
     gpu::Dispatch per_pixel() const { return {.threads = {frame.size.x, frame.size.y, 1}}; }
 };
 

@@ -10,7 +10,7 @@
 namespace gnomon {
 namespace {
 
-using glm::mat4, glm::vec3, glm::vec4;
+using glm::mat4, glm::vec2, glm::vec3, glm::vec4;
 
 /// Relative to the depth range: the map's depth is interpolated in float32, with errors of a few 2^-23 of the
 /// range, and the receiver's plane is as exact. A thousandth of a texel's depth would be lost in neither.
@@ -120,6 +120,7 @@ void light_directional(shared::Frame& frame, const Light& light, const Camera& c
     Box fit;
     switch (settings.light_fit) {
     case LightFit::seen_box:
+    case LightFit::visible_points: // until they are known: see refitted
         fit = seen_box(axes, box, frustum);
         break;
     case LightFit::camera_frustum:
@@ -253,6 +254,25 @@ shared::Frame make_frame(const Camera& camera, const Light& light, const ViewSet
     frame.size = {static_cast<unsigned>(settings.width), static_cast<unsigned>(settings.height),
                   static_cast<unsigned>(settings.shadow_map), settings.receiver_plane ? 1u : 0u};
     return frame;
+}
+
+shared::Frame refitted(const shared::Frame& frame, vec2 lower, vec2 upper) {
+    const double side = frame.size.z;
+    const glm::dvec2 middle = 0.5 * (glm::dvec2(lower) + glm::dvec2(upper));
+    // A two-hundredth around, and never so little that texels lose their float32 coordinates.
+    const glm::dvec2 extent = glm::max(1.005 * glm::dvec2(upper - lower), glm::dvec2(1e-3 * side));
+    shared::Frame result = frame;
+    glm::dmat4 rows = glm::transpose(glm::dmat4(frame.light));
+    for (int axis = 0; axis < 2; ++axis) {
+        // Texels t = (clip + 1) side / 2 become (t - middle) side / extent + side / 2.
+        const double scale = side / extent[axis];
+        const double offset = scale * (1 - 2 * middle[axis] / side);
+        rows[axis] *= scale;
+        rows[axis][3] += offset;
+        (axis == 0 ? result.texel_x : result.texel_y) *= static_cast<float>(1 / scale);
+    }
+    result.light = mat4(glm::transpose(rows));
+    return result;
 }
 
 } // namespace gnomon

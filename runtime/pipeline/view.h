@@ -30,6 +30,8 @@ struct Light {
 enum class LightFit {
     seen_box, ///< across the light the part of the scene's box that the camera can see, along it the box
     camera_frustum, ///< the box, in the light's axes, of the camera frustum's eight corners, and no more
+    visible_points, ///< across the light what the camera does see and faces the light; along it the scene's
+                    ///< box
 };
 
 /// Which normal says whether a surface faces the light.
@@ -74,5 +76,9 @@ std::array<glm::vec3, 8> frustum_corners(const Camera& camera, float aspect);
 /// Throws Error if a perspective light sees nothing of the box.
 shared::Frame make_frame(const Camera& camera, const Light& light, const ViewSettings& settings,
                          const Box& box);
+
+/// The frame of a directional light with its map moved: over what was from `lower` to `upper` in texels of
+/// the old one, and a hair around.
+shared::Frame refitted(const shared::Frame& frame, glm::vec2 lower, glm::vec2 upper);
 
 } // namespace gnomon
