@@ -22,7 +22,7 @@ uint detect(Asking asking) {
         if (own.usable) {
             if (triangle == number) continue;
             vec4 plane = plane_of(t, centre);
-            if (known_well(plane, t) && (nowhere_above(own, t, plane) || beside(own, t, plane))) continue;
+            if (known_well(plane, t) && nowhere_above(own, t, plane) || beside(own, t, plane, asking.origin.xy)) continue;
         }
         return UNCERTAIN;
     }
