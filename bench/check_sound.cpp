@@ -67,6 +67,26 @@ View random_view(const Scene& scene, std::uint64_t seed, std::uint64_t index, in
     return view;
 }
 
+/// The triangles that the ray meets or nearly meets, in double.
+void tell_hits(const Scene& scene, glm::dvec3 origin, glm::dvec3 towards) {
+    const glm::dvec3 d(glm::vec3(glm::normalize(towards)));
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+        glm::dvec3 p[3];
+        for (int k = 0; k < 3; ++k) p[k] = glm::dvec3(scene.positions[scene.triangles[i][k]]) - origin;
+        const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+        const double t = glm::dot(normal, p[0]) / glm::dot(normal, d);
+        double least = 1e300; // distance inside the nearest edge
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 edge = p[(k + 1) % 3] - p[k];
+            const glm::dvec3 inward = glm::normalize(glm::cross(normal, edge));
+            least = std::min(least, glm::dot(inward, t * d - p[k]));
+        }
+        if (least > -1e-3 && t > -1)
+            fmt::print("    triangle {}: t {:.9g}, {:.3g} within its edges, cosine {:.3g}\n", i, t, least,
+                       glm::dot(glm::normalize(normal), glm::normalize(d)));
+    }
+}
+
 /// Certain-but-wrong pixels of techniques that must have none.
 std::size_t judge(gpu::Device& device, const Scene& scene, const View& view,
                   std::span<const std::string> techniques, std::map<std::string, Tally>& tallies) {
@@ -78,7 +98,7 @@ std::size_t judge(gpu::Device& device, const Scene& scene, const View& view,
     for (const std::string& name : techniques) {
         const std::vector<PixelState> states = renderer.states({Technique::Kind::hybrid, name});
         Tally tally;
-        std::size_t first = states.size();
+        std::size_t first = states.size(); if (getenv("PIX")) fmt::print("PIX {}\n", static_cast<int>(states[static_cast<std::size_t>(atoi(getenv("PIX")))]));
         for (std::size_t i = 0; i < states.size(); ++i) {
             if (surfaces.facing[i] == 0) continue;
             ++tally.facing;
@@ -95,6 +115,11 @@ std::size_t judge(gpu::Device& device, const Scene& scene, const View& view,
         sum.wrong += tally.wrong;
         if (tally.wrong == 0 || !find_hybrid(name)->sound) continue;
         bad += tally.wrong;
+        const shared::Receiver& receiver = renderer.receivers()[first];
+        fmt::print("  state {} width {}\n", static_cast<int>(states[first]), view.settings.width);
+        fmt::print("  ray from {:a}, {:a}, {:a} along {:a}, {:a}, {:a}\n", receiver.origin.x, receiver.origin.y,
+                   receiver.origin.z, -view.light.direction.x, -view.light.direction.y, -view.light.direction.z);
+        tell_hits(scene, glm::dvec3(receiver.origin), glm::dvec3(-view.light.direction));
         const auto column = first % static_cast<std::size_t>(view.settings.width);
         fmt::print("{} {}: {} is certain and wrong in {} pixels, first at {}, {}: {} (map {}, fit {}, ray "
                    "begin {})\n",
@@ -124,8 +149,10 @@ int run(int argc, char** argv) {
     std::vector<int> maps{512, 1024, 2048, 4096};
     std::uint64_t seed = 1;
     bool thesis = false;
+    int first = 0;
     app.add_option("--scene,SCENE", paths);
     app.add_option("--views", views);
+    app.add_option("--first", first, "number of the first view of the seed");
     app.add_option("--size", size);
     app.add_option("--seed", seed);
     app.add_option("--maps", maps)->delimiter(',');
@@ -153,7 +180,7 @@ int run(int argc, char** argv) {
                 }
             continue;
         }
-        for (int i = 0; i < views; ++i)
+        for (int i = first; i < first + views; ++i)
             bad += judge(device, scene, random_view(scene, seed, static_cast<std::uint64_t>(i), size),
                          techniques, sum);
         print(fmt::format("{}, {} views, seed {}", scene.name, views, seed), sum);

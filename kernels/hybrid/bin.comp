@@ -13,19 +13,20 @@ void main() {
     ivec2 from, to;
     box_of(t, from, to);
     if (any(greaterThan(from, to))) return;
-    ivec2 first = from / BIN, last = to / BIN;
-    bool small = all(lessThanEqual(last - first, ivec2(1)));
+    int side = bin_side();
+    ivec2 first = from / side, last = to / side, texels = to - from + 1;
+    bool small = all(lessThanEqual(last - first, ivec2(1))) && texels.x * texels.y <= 256;
     float nearest = min(min(t.p[0].z, t.p[1].z), t.p[2].z);
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
-            uint bin = uint(y) * bins_across() + uint(x);
+            uint bin = bin_index(ivec2(x, y));
             if (bin_farthest[bin] == 0u || !can_be_hit(nearest, t, bin_farthest[bin])) continue;
             if (small) {
-                put_all(triangle, t, max(from, ivec2(x, y) * BIN), min(to, ivec2(x, y) * BIN + BIN - 1));
+                put_all(triangle, t, max(from, ivec2(x, y) * side), min(to, ivec2(x, y) * side + side - 1));
                 continue;
             }
-            vec2 centre = (vec2(x, y) + 0.5) * float(BIN) + space.map.xy;
-            if (!column_overlaps(t.p[0].xy, t.p[1].xy, t.p[2].xy, centre, 0.5 * float(BIN) + 2.0 * t.margin)) continue;
+            vec2 centre = (vec2(x, y) + 0.5) * float(side) + space.map.xy;
+            if (!column_overlaps(t.p[0].xy, t.p[1].xy, t.p[2].xy, centre, 0.5 * float(side) + 2.0 * t.margin)) continue;
             uint pair = atomicAdd(pair_count, 1u);
             if (pair < space.size.w) pairs[pair] = uvec2(triangle, bin);
         }

@@ -9,5 +9,5 @@ layout(std430, binding = 2) writeonly buffer BinFarthest { uint bin_farthest[]; 
 void main() {
     uint i = linear_index();
     if (i < space.size.x * space.size.x) slots[i] = 0u;
-    if (i < bins_across() * bins_across()) bin_farthest[i] = 0u;
+    if (i < space.bins.y * space.bins.y) bin_farthest[i] = 0u;
 }

@@ -11,7 +11,9 @@ uint next_of(uint half_edge) { return next_half_edge[half_edge]; }
 
 uint detect(Asking asking) {
     uint state = LIT;
+    int length = 0;
     for (uint node = heads[asking.slot]; node != NO_NODE; node = nodes[node].y) {
+        if (++length > LONGEST) return UNCERTAIN;
         uint hit = hit_triangle(nodes[node].x, asking.origin);
         if (hit == 1u) return SHADOWED;
         if (hit == 2u) state = UNCERTAIN;

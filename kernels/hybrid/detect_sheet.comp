@@ -15,7 +15,9 @@ uint detect(Asking asking) {
     vec2 centre = texel_centre(asking.texel);
     uint number = uint(world_and_triangle[asking.pixel].w) - 1u;
     Own own = own_triangle(solid(number), asking.origin, centre);
+    int length = 0;
     for (uint node = heads[asking.slot]; node != NO_NODE; node = nodes[node].y) {
+        if (++length > LONGEST) return UNCERTAIN;
         uint triangle = nodes[node].x;
         Solid t = solid(triangle);
         if (column_depth_bounds(t.p[0], t.p[1], t.p[2], centre, half_texel(t), t.margin).x - t.margin_z > end) continue;

@@ -19,6 +19,6 @@ void main() {
     if (!in_map(texel)) return;
     uint depth = ordered(place.z), slot = slots[texel_index(texel)] - 1u;
     if (farthest[slot] < depth) atomicMax(farthest[slot], depth); // looked at first: most pixels change nothing
-    uint bin = uint(texel.y / BIN) * bins_across() + uint(texel.x / BIN);
+    uint bin = bin_index(texel / bin_side());
     if (bin_farthest[bin] < depth) atomicMax(bin_farthest[bin], depth);
 }

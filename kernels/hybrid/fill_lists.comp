@@ -9,9 +9,9 @@ void main() {
     uint pair = linear_index();
     if (pair >= min(pair_count, space.size.w)) return;
     uint triangle = pairs[pair].x;
-    ivec2 bin = ivec2(pairs[pair].y % bins_across(), pairs[pair].y / bins_across());
+    ivec2 bin = ivec2(pairs[pair].y % space.bins.y, pairs[pair].y / space.bins.y) * bin_side();
     Solid t = solid(triangle);
     ivec2 from, to;
     box_of(t, from, to);
-    put_all(triangle, t, max(from, bin * BIN), min(to, bin * BIN + BIN - 1));
+    put_all(triangle, t, max(from, bin), min(to, bin + bin_side() - 1));
 }

@@ -28,7 +28,10 @@ void main() {
         nearest.triangles[i] = NO_NODE;
     }
     nearest.next = 1.0 / 0.0;
+    int length = 0;
     for (uint node = heads[slot]; node != NO_NODE; node = nodes[node].y) {
+        if (++length > LONGEST) nearest.next = -1.0 / 0.0; // whatever else there is
+        if (length > LONGEST) break;
         uint triangle = nodes[node].x;
         Solid t = solid(triangle);
         float depth = column_depth_bounds(t.p[0], t.p[1], t.p[2], centre, half_texel(t), t.margin).x - t.margin_z;

@@ -23,6 +23,9 @@ layout(std430, binding = 9) readonly buffer Receivers { Receiver receivers[]; };
 
 uint next_of(uint half_edge) { return next_half_edge[half_edge]; }
 
+int edges = 0; // looked at by all sheets of this texel
+#define MOST_EDGES 512
+
 /// The depth of the sheet that holds `start`; infinite if it does not cover the texel or is not nearer than `worth`.
 float sheet_from(uint start, vec2 centre, float worth) {
     float depth = -1.0 / 0.0;
@@ -35,6 +38,7 @@ float sheet_from(uint start, vec2 centre, float worth) {
         depth = max(depth, column_depth_bounds(t.p[0], t.p[1], t.p[2], centre, half_side, t.margin).y + t.margin_z);
         if (!(depth < worth)) return 1.0 / 0.0;
         for (uint k = 0u; k < 3u; ++k) {
+            if (++edges > MOST_EDGES) return 1.0 / 0.0;
             if (!column_touches(t.p[k].xy, t.p[(k + 1u) % 3u].xy, centre, half_side)) continue;
             uint neighbour = across(members[i], t, k);
             if (neighbour == NO_NODE) return 1.0 / 0.0;
@@ -56,7 +60,8 @@ void main() {
     vec2 centre = texel_centre(texel_of(to_column(receivers[slot].origin.xyz).xy));
     // A sheet farther than every receiver shadows none.
     float least = from_ordered(farthest[slot]) - space.receiver.z, best = least;
-    for (uint node = heads[slot]; node != NO_NODE; node = nodes[node].y) {
+    int length = 0;
+    for (uint node = heads[slot]; node != NO_NODE && length < LONGEST; node = nodes[node].y, ++length) {
         Solid t = solid(nodes[node].x);
         if (column_coverage(t.p[0].xy, t.p[1].xy, t.p[2].xy, centre, t.margin) == 0u)
             best = min(best, sheet_from(nodes[node].x, centre, best));

@@ -8,7 +8,9 @@
 namespace gnomon {
 namespace {
 
-constexpr std::uint32_t bin_side = 8; // BIN of kernels/hybrid/columns.glslh
+/// Texels on a side of a bin: small enough to tell where receivers are, and no more than 128 bins across,
+/// which a thread may have to walk (kernels/hybrid/columns.glslh, MOST_TURNS).
+std::uint32_t bin_side(std::uint32_t map) { return std::max(8u, (map + 127) / 128); }
 
 struct Counters {
     std::uint32_t nodes = 0, pairs = 0;
@@ -23,7 +25,8 @@ Columns::Columns(Resources& resources)
     if (r_.frame.light_origin.w == 1.0f)
         throw Error(
             "columns need a directional light; leave --light-position out, or take another technique");
-    const std::size_t side = r_.frame.size.z, bins = (side + bin_side - 1) / bin_side;
+    const std::size_t side = r_.frame.size.z,
+                      bins = (side + bin_side(r_.frame.size.z) - 1) / bin_side(r_.frame.size.z);
     space = r_.device.allocate(sizeof(shared::ColumnSpace));
     places = r_.device.allocate(r_.scene.positions.size() * sizeof(glm::vec4));
     slots = r_.device.allocate(side * side * sizeof(std::uint32_t));
@@ -42,6 +45,8 @@ bool Columns::bin_all() {
     host_space_.size = {r_.frame.size.z, static_cast<std::uint32_t>(r_.scene.triangles.size()),
                         static_cast<std::uint32_t>(node_capacity_),
                         static_cast<std::uint32_t>(pair_capacity_)};
+    const std::uint32_t bin = bin_side(r_.frame.size.z);
+    host_space_.bins = {bin, (r_.frame.size.z + bin - 1) / bin, 0, 0};
     r_.device.write(space, gpu::bytes_of(host_space_));
     const std::size_t texels = std::size_t{r_.frame.size.z} * r_.frame.size.z;
     r_.device.run(clear_, {&space, &slots, &bin_farthest_}, Resources::linear(texels));
