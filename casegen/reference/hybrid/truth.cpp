@@ -184,23 +184,24 @@ Truth depth_at(const Arguments& arguments) {
 }
 
 Truth depth_bounds(const Arguments& arguments) {
-    const bool edge_on = is_edge_on(arguments);
-    Truth truth = truth_of(arguments, of_depths<13>(arguments), [&](const auto& n) {
-        using T = std::decay_t<decltype(n[0])>;
-        if (edge_on) return depth_range<T>(n);
-        // The plane's depth at the texel's four corners.
-        const Plane<T> plane(n);
-        T nearest = plane.depth(n[9], n[10]), farthest = nearest;
-        for (const double x : {-1, 1})
-            for (const double y : {-1, 1}) {
-                const T depth = plane.depth(n[9] + T(x) * n[11], n[10] + T(y) * n[12]);
-                nearest = least(nearest, depth), farthest = most(farthest, depth);
-            }
-        return std::array{nearest, farthest};
-    });
-    // Where the plane leaves the triangle's own range, that still is what rounding can move.
     const std::array<double, 2> range = depth_range<double>(arguments.numbers);
-    for (std::size_t k = 0; k < 2; ++k) truth.value[k] = std::clamp(truth.value[k], range[0], range[1]);
+    const bool edge_on = is_edge_on(arguments);
+    // The plane's depth at the texel's four corners.
+    const Truth corners = truth_of(arguments, of_depths<13>(arguments), [&](const auto& n) {
+        using T = std::decay_t<decltype(n[0])>;
+        if (edge_on) return std::array{T(range[0]), T(range[1]), T(range[0]), T(range[1])};
+        const Plane<T> plane(n);
+        return std::array{plane.depth(n[9] - n[11], n[10] - n[12]), plane.depth(n[9] + n[11], n[10] - n[12]),
+                          plane.depth(n[9] - n[11], n[10] + n[12]), plane.depth(n[9] + n[11], n[10] + n[12])};
+    });
+    // Both ends come from one slope, and a range that cuts them off does not make it any better: what can
+    // move any of the four can move both.
+    const auto [nearest, farthest] = std::ranges::minmax(corners.value);
+    Truth truth;
+    truth.value[0] = std::clamp(nearest, range[0], range[1]);
+    truth.value[1] = std::clamp(farthest, range[0], range[1]);
+    truth.conditioning[0] = truth.conditioning[1] = std::ranges::max(corners.conditioning);
+    truth.scale = std::max(std::abs(range[0]), std::abs(range[1]));
     return truth;
 }
 
