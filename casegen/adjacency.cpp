@@ -90,7 +90,7 @@ Family adjacency_family() {
     const char* const rule =
         "nothing left, a line, or an input that is not finite: all vertices in one place";
     // The polygon's corners are rounded as weights, and as points.
-    const Tolerance tolerance = conditioned(16);
+    const Tolerance tolerance = conditioned(8);
     return {
         "adjacency",
         "CRSMA's shrunken triangles: edges to shadowed neighbours stay, lit ones move in, corners are cut",

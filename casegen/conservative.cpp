@@ -109,7 +109,7 @@ Family conservative_family() {
                 .reference = reference_by<dvec2(dvec2, dvec2, dvec2, dvec2, dvec2)>(truth::line_intersection),
                 .parameters = lines,
                 .result = where_to,
-                .tolerance = conditioned(16),
+                .tolerance = conditioned(8),
                 .where = [](const Arguments& a) { return truth::is_clear(truth::sine_between(a)); },
                 .generator = hybrid::triangles("conservative/lines", {.points = {6, 8}}),
                 .rule = or_zero,
@@ -121,7 +121,7 @@ Family conservative_family() {
                 .parameters = {point("a", "where the edge begins"), point("b", "where it ends"),
                                point("inside", "a point on its inner side")},
                 .result = {-1, 1, "1", "unit normal"},
-                .tolerance = conditioned(16),
+                .tolerance = conditioned(8),
                 .where =
                     [](const Arguments& a) {
                         const auto& n = a.numbers;
@@ -136,7 +136,7 @@ Family conservative_family() {
                 .reference = reference_by<dvec2(dvec2, dvec2, dvec2, double, unsigned)>(truth::dilated),
                 .parameters = and_corner(and_lambda(triangle())),
                 .result = where_to,
-                .tolerance = conditioned(16),
+                .tolerance = conditioned(8),
                 .where = is_broad,
                 .generator = with_corner,
                 .rule =
@@ -166,7 +166,7 @@ Family conservative_family() {
                 .reference = reference_by<dvec2(dvec2, dvec2, dvec2, double, unsigned)>(truth::eroded),
                 .parameters = and_corner(and_lambda(triangle())),
                 .result = where_to,
-                .tolerance = conditioned(16),
+                .tolerance = conditioned(8),
                 .where = is_broad,
                 .generator = with_corner,
                 .rule = "a triangle that is a line to within rounding shrinks to its first corner",
@@ -207,7 +207,7 @@ Family conservative_family() {
                 .reference = reference_by<double(dvec3, dvec3, dvec3, dvec2)>(truth::depth_at),
                 .parameters = in_depth({point("p", "a point of the map")}),
                 .result = {-FLT_MAX, FLT_MAX, "light depth", "the plane's depth there"},
-                .tolerance = conditioned(16),
+                .tolerance = conditioned(8),
                 .where = is_clear_in_depth,
                 .generator = hybrid::triangles("conservative/depth_at",
                                                {.stride = 3, .points = {9}, .depths = {2, 5, 8}}),

@@ -3,5 +3,5 @@
 #include "adjacency/polygon.glslh"
 
 vec2 adjacency_one_ring(vec2 v0, vec2 v2, vec2 v4, float lambda, uint away, uint inner, uint corner) {
-    return adjacency_vertex(adjacency_polygon(v0, v2, v4, lambda, away, adjacency_between(away) & ~inner), v0, corner);
+    return adjacency_vertex(adjacency_polygon(v0, v2, v4, lambda, away, adjacency_between(away) & ~inner), v0, v2, v4, corner);
 }

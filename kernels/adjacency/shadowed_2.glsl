@@ -3,5 +3,5 @@
 #include "adjacency/polygon.glslh"
 
 vec2 adjacency_shadowed_2(vec2 v0, vec2 v2, vec2 v4, float lambda, uint away, uint corner) {
-    return adjacency_vertex(adjacency_polygon(v0, v2, v4, lambda, away, adjacency_between(away)), v0, corner);
+    return adjacency_vertex(adjacency_polygon(v0, v2, v4, lambda, away, adjacency_between(away)), v0, v2, v4, corner);
 }

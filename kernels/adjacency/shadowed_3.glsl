@@ -2,5 +2,5 @@
 #include "adjacency/polygon.glslh"
 
 vec2 adjacency_shadowed_3(vec2 v0, vec2 v2, vec2 v4, float lambda, uint corner) {
-    return adjacency_vertex(adjacency_polygon(v0, v2, v4, lambda, 7u, 7u), v0, corner);
+    return adjacency_vertex(adjacency_polygon(v0, v2, v4, lambda, 7u, 7u), v0, v2, v4, corner);
 }
