@@ -89,6 +89,30 @@ bool in_clip_box(dvec2 p, dvec4 box) {
            box.y <= box.w;
 }
 
+/// Two lines, parallel or nearly so too.
+std::shared_ptr<const Generator> lines_generator() {
+    auto generator =
+        std::make_shared<Generator>(*hybrid::triangles("conservative/lines", {.points = {6, 8}}));
+    generator->loci.push_back(
+        {"parallel lines", "slivers", [](Random& random, double distance, std::span<double> n) {
+             const double x = n[2] - n[0], y = n[3] - n[1], t = 2 * random.unit() - 1;
+             const double side = random.chance(0.5) ? distance : -distance;
+             n[6] = std::clamp(n[4] + t * x - side * y, -hybrid::farthest, hybrid::farthest);
+             n[7] = std::clamp(n[5] + t * y + side * x, -hybrid::farthest, hybrid::farthest);
+         }});
+    return generator;
+}
+
+/// Points and boxes on a coarse grid: on borders and corners as often as beside them.
+std::shared_ptr<const Generator> grid_generator() {
+    auto generator = std::make_shared<Generator>();
+    generator->name = "conservative/grid";
+    generator->draw = [](Random& random, std::span<double> numbers) {
+        for (double& number : numbers) number = random.between(-8, 8) / 4.0;
+    };
+    return generator;
+}
+
 } // namespace
 
 Family conservative_family() {
@@ -111,7 +135,7 @@ Family conservative_family() {
                 .result = where_to,
                 .tolerance = conditioned(8),
                 .where = [](const Arguments& a) { return truth::is_clear(truth::sine_between(a)); },
-                .generator = hybrid::triangles("conservative/lines", {.points = {6, 8}}),
+                .generator = lines_generator(),
                 .rule = or_zero,
             },
             {
@@ -159,6 +183,8 @@ Family conservative_family() {
                 .parameters = {{"p", {-2, 2, {}}, "map", "a point"},
                                {"box", {-2, 2, {}}, "map", "smallest x and y, largest x and y"}},
                 .result = {0, 1, "1", "whether the point is in the box"},
+                .generator = grid_generator(),
+                .rule = "a box that ends before it begins holds nothing, nor does one of NaN",
             },
             {
                 .name = "conservative/eroded",

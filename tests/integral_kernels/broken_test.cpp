@@ -1,13 +1,10 @@
 // One constant changed, and check says so of the kernels that it reaches.
 #include "casegen/check.h"
-#include "runtime/files.h"
 #include "tests/integral_kernels/rows.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/broken_kernels.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <fstream>
 
 namespace gnomon {
 namespace {
@@ -20,30 +17,10 @@ void PrintTo(const Break& what, std::ostream* out) {
     *out << what.file << ": " << what.from << " -> " << what.to;
 }
 
-/// Kernels as they are but for one text.
-class Changed {
-public:
-    explicit Changed(const Break& what) {
-        std::filesystem::copy(testing::kernels_folder(), folder(), std::filesystem::copy_options::recursive);
-        std::string text = read_file(folder() / what.file);
-        const std::size_t at = text.find(what.from);
-        EXPECT_NE(at, text.npos) << what.file << " does not say " << what.from;
-        if (at == text.npos) return;
-        EXPECT_EQ(text.find(what.from, at + 1), text.npos)
-            << what.file << " says more than once " << what.from;
-        text.replace(at, std::string(what.from).size(), what.to);
-        std::ofstream(folder() / what.file, std::ios::binary) << text;
-    }
-    std::filesystem::path folder() const { return temporary_.path() / "kernels"; }
-
-private:
-    testing::TemporaryFolder temporary_;
-};
-
 class broken : public ::testing::TestWithParam<Break> {};
 
 TEST_P(broken, shows_in_what_it_reaches) {
-    const Changed changed(GetParam());
+    const testing::ChangedKernels changed(GetParam().file, GetParam().from, GetParam().to);
     std::vector<const Case*> cases;
     for (const char* name : GetParam().reached) cases.push_back(&find_case(fmt::format("integral/{}", name)));
     CheckOptions options;
