@@ -156,23 +156,37 @@ std::vector<std::uint32_t> facing_away_from_point(const Scene& scene, glm::vec3 
 }
 
 std::vector<Neighbours> neighbours(const Scene& scene, const Adjacency& adjacency,
-                                   std::span<const std::uint32_t> away) {
+                                   std::span<const std::uint32_t> away, Across across) {
     const std::size_t count = scene.triangles.size();
     std::vector<Neighbours> found(count, {0, 0});
     std::vector<std::uint8_t> is_inner(adjacency.places, 1);
+    const auto begins_at = [&](std::uint32_t half_edge) {
+        return adjacency.place[scene.triangles[half_edge / 3][static_cast<int>(half_edge % 3)]];
+    };
+    const auto stays = [&](std::uint32_t half_edge) {
+        const std::uint32_t begin = begins_at(half_edge);
+        std::uint32_t others = 0, facing = 0, opposite = 0;
+        for (std::uint32_t other = adjacency.next[half_edge]; other != half_edge;
+             other = adjacency.next[other]) {
+            ++others;
+            if (!is_set(away, other / 3)) continue;
+            ++facing;
+            if (begins_at(other) != begin) ++opposite;
+        }
+        return across == Across::facing ? others > 0 && facing == others : opposite > 0;
+    };
     for (std::uint32_t t = 0; t < count; ++t) {
         const std::array<std::uint32_t, 3> p = places_of(scene, adjacency, t);
-        for (std::uint32_t e = 0; e < 3; ++e) {
-            const std::uint32_t half_edge = 3 * t + e;
-            bool all_away = adjacency.next[half_edge] != half_edge;
-            if (!all_away) is_inner[p[e]] = is_inner[p[(e + 1) % 3]] = 0;
-            for (std::uint32_t other = adjacency.next[half_edge]; other != half_edge && all_away;
-                 other = adjacency.next[other])
-                all_away = is_set(away, other / 3);
-            if (all_away) found[t].away = static_cast<std::uint8_t>((found[t].away | 1u << e) & 7u);
-        }
-        if (!is_set(away, t))
+        if (!is_set(away, t)) {
             for (const std::uint32_t place : p) is_inner[place] = 0;
+            continue;
+        }
+        for (std::uint32_t e = 0; e < 3; ++e) {
+            if (stays(3 * t + e))
+                found[t].away = static_cast<std::uint8_t>((found[t].away | 1u << e) & 7u);
+            else
+                is_inner[p[e]] = is_inner[p[(e + 1) % 3]] = 0;
+        }
     }
     for (std::uint32_t t = 0; t < count; ++t) {
         const std::array<std::uint32_t, 3> p = places_of(scene, adjacency, t);

@@ -46,13 +46,24 @@ inline bool is_set(std::span<const std::uint32_t> bits, std::uint32_t i) {
     return (bits[i / 32] >> i % 32 & 1) != 0;
 }
 
-/// What kernels/adjacency ask of a triangle, by its corners 0, 1, 2 as v0, v2, v4.
-struct Neighbours {
-    std::uint8_t away : 3;  ///< bit e: there are other triangles at edge e, and all of them face away
-    std::uint8_t inner : 3; ///< bit i: no edge at corner i is a border, and all triangles around it face away
+/// Which triangles at an edge keep it where it is.
+enum class Across {
+    /// All others there face away, and there is one: the thesis's rule, for edges of any number of triangles.
+    facing,
+    /// Another one there faces away and lies on the other side of the edge, as the light sees it; of two that
+    /// face away these are the ones that name the edge's ends in opposite orders. Folds and duplicates do not
+    /// count: behind them there is light.
+    sides,
 };
-/// One per triangle; `away` as facing_away has it. What faces the light has neighbours too.
+
+/// What kernels/adjacency ask of a triangle that faces away, by its corners 0, 1, 2 as v0, v2, v4.
+struct Neighbours {
+    std::uint8_t away : 3; ///< bit e: edge e stays
+    std::uint8_t
+        inner : 3; ///< bit i: all triangles around corner i face away, and each of their edges there stays
+};
+/// One per triangle; `away` as facing_away has it. Meaningless for triangles that face the light.
 std::vector<Neighbours> neighbours(const Scene& scene, const Adjacency& adjacency,
-                                   std::span<const std::uint32_t> away);
+                                   std::span<const std::uint32_t> away, Across across = Across::facing);
 
 } // namespace gnomon

@@ -146,10 +146,11 @@ TEST(neighbours, of_an_open_fan_know_its_tip_only) {
     const Adjacency adjacency = make_adjacency(scene);
     const std::vector<std::uint32_t> away = facing_away(scene, {0, 0, -1});
     ASSERT_THAT(away, ElementsAre(0b1111u));
-    for (const Neighbours& each : neighbours(scene, adjacency, away)) {
-        EXPECT_EQ(each.away, 0b101u); // across both edges at the tip; none at the border
-        EXPECT_EQ(each.inner, 0b001u);
-    }
+    for (const Across across : {Across::facing, Across::sides})
+        for (const Neighbours& each : neighbours(scene, adjacency, away, across)) {
+            EXPECT_EQ(each.away, 0b101u); // across both edges at the tip; none at the border
+            EXPECT_EQ(each.inner, 0b001u);
+        }
 }
 
 TEST(neighbours, one_that_faces_the_light_is_seen_by_all_around_its_corners) {
@@ -164,23 +165,31 @@ TEST(neighbours, one_that_faces_the_light_is_seen_by_all_around_its_corners) {
     EXPECT_EQ(found[3].away, 0b100u);
 }
 
-TEST(neighbours, where_three_meet_both_others_must_face_away) {
+/// Three triangles that face away at the edge from 0 to 1, the last one of which folds back over the first.
+Scene three_at_an_edge(bool last_faces_away) {
     Scene scene =
         scene_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {1, 1, 0}}, {{0, 2, 1}, {0, 1, 3}, {0, 4, 1}});
-    const auto away_at_shared_edges = [&] {
-        const std::vector<std::uint32_t> away = facing_away(scene, {0, 0, 1});
-        const std::vector<Neighbours> found = neighbours(scene, make_adjacency(scene), away);
-        return std::vector<bool>{(found[0].away & 4) != 0, (found[1].away & 1) != 0,
-                                 (found[2].away & 4) != 0};
-    };
-    EXPECT_THAT(away_at_shared_edges(), ElementsAre(true, true, true));
-    std::swap(scene.triangles[2].x, scene.triangles[2].z); // now it faces the light
-    scene.triangles[2] = {0, 1, 4};
-    const std::vector<std::uint32_t> away = facing_away(scene, {0, 0, 1});
-    const std::vector<Neighbours> found = neighbours(scene, make_adjacency(scene), away);
-    EXPECT_EQ(found[0].away & 4, 0);
-    EXPECT_EQ(found[1].away & 1, 0);
-    EXPECT_NE(found[2].away & 1, 0) << "both others at its edge face away";
+    if (!last_faces_away) scene.triangles[2] = {0, 1, 4};
+    return scene;
+}
+std::vector<bool> edge_stays(const Scene& scene, Across across) {
+    const std::vector<Neighbours> found =
+        neighbours(scene, make_adjacency(scene), facing_away(scene, {0, 0, 1}), across);
+    return {(found[0].away & 4) != 0, (found[1].away & 1) != 0, (found[2].away & 4) != 0};
+}
+
+TEST(neighbours, where_three_meet_all_others_must_face_away_or_one_on_the_other_side) {
+    EXPECT_THAT(edge_stays(three_at_an_edge(true), Across::facing), ElementsAre(true, true, true));
+    EXPECT_THAT(edge_stays(three_at_an_edge(true), Across::sides), ElementsAre(true, true, true));
+    EXPECT_THAT(edge_stays(three_at_an_edge(false), Across::facing), ElementsAre(false, false, false));
+    EXPECT_THAT(edge_stays(three_at_an_edge(false), Across::sides), ElementsAre(true, true, false));
+}
+
+TEST(neighbours, a_fold_and_a_duplicate_are_no_other_side) {
+    Scene scene = three_at_an_edge(true);
+    scene.triangles[1] = scene.triangles[0]; // all three on one side now
+    EXPECT_THAT(edge_stays(scene, Across::facing), ElementsAre(true, true, true));
+    EXPECT_THAT(edge_stays(scene, Across::sides), ElementsAre(false, false, false));
 }
 
 } // namespace
