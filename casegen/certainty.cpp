@@ -59,21 +59,21 @@ Family certainty_family() {
         {
             {
                 .name = "certainty/beister",
-                .source = "Beister et al. 2005 as measured: hybrid.md, convention 8",
+                .source = "Beister et al. 2005 as the thesis measured it",
                 .reference = of_diagonal,
                 .parameters = {vocabulary::texel(), vocabulary::p()},
                 .result = result,
             },
             {
                 .name = "certainty/bilinear",
-                .source = "Beister et al. 2005; hybrid.md, convention 8",
+                .source = "Beister et al. 2005",
                 .reference = of_footprint,
                 .parameters = {vocabulary::texel(), vocabulary::p()},
                 .result = result,
             },
             {
                 .name = "certainty/crsm",
-                .source = "Hybrid hard shadows, chapter 4; hybrid.md, convention 9. CRSMA asks the same of "
+                .source = "Hybrid hard shadows, chapter 4. CRSMA asks the same of "
                           "its own maps",
                 .reference = of_maps,
                 .parameters = {test("big_centre", "the dilated map's test at the texel: 1 lit, 0 shadowed"),

@@ -199,7 +199,7 @@ Family conservative_family() {
             },
             {
                 .name = "conservative/erodes",
-                .source = "hybrid.md, soundness: every new edge keeps its direction",
+                .source = "Hybrid hard shadows, 2.2; docs/decisions.md H12",
                 .reference = erodes,
                 .parameters = and_lambda(triangle()),
                 .result = {0, 1, "1", "whether anything is left"},
@@ -209,7 +209,7 @@ Family conservative_family() {
             },
             {
                 .name = "conservative/erodes_as_published",
-                .source = "hybrid.md, convention 9",
+                .source = "Hybrid hard shadows, chapter 4; docs/decisions.md H12",
                 .reference = erodes_as_published,
                 .parameters = and_lambda(triangle()),
                 .result = {0, 1, "1", "whether anything is left"},
@@ -219,7 +219,7 @@ Family conservative_family() {
             },
             {
                 .name = "conservative/tight_offset",
-                .source = "Hasselgren et al. 2005; hybrid.md, soundness",
+                .source = "Hasselgren et al. 2005",
                 .reference = reference_by<double(dvec2, dvec2)>(truth::tight_offset),
                 .parameters = {{"normal", {-1, 1, {}}, "1", "the edge's unit normal"},
                                {"texel", {0, 2, {}}, "map", "the texel's width and height"}},
@@ -229,7 +229,7 @@ Family conservative_family() {
             },
             {
                 .name = "conservative/depth_at",
-                .source = "hybrid.md, soundness",
+                .source = "Hybrid hard shadows, 2.2.1; docs/hybrid.md",
                 .reference = reference_by<double(dvec3, dvec3, dvec3, dvec2)>(truth::depth_at),
                 .parameters = in_depth({point("p", "a point of the map")}),
                 .result = {-FLT_MAX, FLT_MAX, "light depth", "the plane's depth there"},
@@ -241,7 +241,7 @@ Family conservative_family() {
             },
             {
                 .name = "conservative/depth_bounds",
-                .source = "hybrid.md, soundness",
+                .source = "Hybrid hard shadows, chapter 4; docs/decisions.md H14",
                 .reference = reference_by<dvec2(dvec3, dvec3, dvec3, dvec2, dvec2)>(truth::depth_bounds),
                 .parameters = in_depth(
                     {point("p", "the texel's centre"),

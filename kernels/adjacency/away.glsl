@@ -1,7 +1,7 @@
 // Which neighbours of v0 v2 v4 face the way that it does, by the sides on which they show their windings in the light's view: bit
 // 0 (v0, v1, v2), bit 1 (v2, v3, v4), bit 2 (v4, v5, v0). Where all windings are consistent and v0 v2 v4 faces away from the light,
 // these face away too. A missing neighbour, whose vertex repeats the one before, and one seen edge-on count as
-// lit.   [thesis fig. 26 and eq. 20; hybrid.md, convention 10]
+// lit.   [thesis fig. 26 and eq. 20; docs/decisions.md H9]
 #include "conservative/lines.glslh"
 
 // 1 or -1 by its winding, 0 if it is seen edge-on.

@@ -1,6 +1,6 @@
 // What the four texels say together whose centres surround the point p of this one, the footprint of bilinear filtering: 0
 // certainly shadowed, 1 certainly lit, 2 uncertain, to be traced. The tests are compared, not a filtered
-// value.   [Beister et al. 2005; hybrid.md, convention 8]
+// value.   [Beister et al. 2005; docs/hybrid.md]
 #include "revectorize/lit.glslh"
 
 uint certainty_bilinear(ivec2 texel, vec2 p) {

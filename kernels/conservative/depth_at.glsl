@@ -1,4 +1,4 @@
-// The depth z of the triangle's plane at p. A triangle seen edge-on has its nearest corner's everywhere.   [hybrid.md, soundness]
+// The depth z of the triangle's plane at p. A triangle seen edge-on has its nearest corner's everywhere.   [docs/hybrid.md]
 #include "conservative/plane.glslh"
 
 float conservative_depth_at(vec3 a, vec3 b, vec3 c, vec2 p) {

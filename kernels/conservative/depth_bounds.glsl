@@ -1,6 +1,6 @@
 // The nearest and the farthest depth that the triangle can have over the texel p +- half_texel: its plane's at p, less and more
 // by what it rises to the texel's corners, and by what the sum may be rounded; never beyond its own corners' depths. Small
-// depths are nearer the light. A triangle seen edge-on may be anywhere between its corners.   [hybrid.md, soundness]
+// depths are nearer the light. A triangle seen edge-on may be anywhere between its corners.   [docs/decisions.md H14]
 #include "conservative/plane.glslh"
 
 vec2 conservative_depth_bounds(vec3 a, vec3 b, vec3 c, vec2 p, vec2 half_texel) {

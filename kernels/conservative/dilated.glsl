@@ -1,7 +1,7 @@
 // The triangle with every edge moved out by lambda, corner by corner: it holds every texel square that the triangle touches, if
 // lambda is half a texel's diagonal. An acute corner runs far away: keep only what lies in conservative_clip_box. A triangle that
 // is a line to within rounding has no edges to move; a right triangle over twice the rectangle around its longest edge stands for it.
-// [thesis 2.2 after Hasselgren et al. 2005; hybrid.md, convention 9 and soundness]
+// [thesis 2.2 after Hasselgren et al. 2005; docs/decisions.md H3, H15]
 #include "conservative/lines.glslh"
 
 vec2 conservative_dilated(vec2 a, vec2 b, vec2 c, float lambda, uint corner) {

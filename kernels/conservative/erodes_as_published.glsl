@@ -1,5 +1,5 @@
 // The same by the rule that the thesis's counts follow: nothing is left either where an edge, before or after, is shorter than
-// 2 lambda.   [hybrid.md, convention 9]
+// 2 lambda.   [docs/decisions.md H12]
 #include "conservative/eroded_edges.glslh"
 
 bool conservative_erodes_as_published(vec2 a, vec2 b, vec2 c, float lambda) {
