@@ -249,7 +249,7 @@ Family conservative_family() {
                 .result = {-FLT_MAX, FLT_MAX, "light depth", "nearest and farthest"},
                 // It adds 2^-20 of all terms, 16 roundings of each, so as to be a bound whatever is rounded;
                 // there are a few times more terms than inputs.
-                .tolerance = conditioned(128),
+                .tolerance = conditioned(64),
                 .where = is_clear_in_depth,
                 .generator =
                     hybrid::triangles("conservative/depth_bounds",

@@ -4,7 +4,5 @@
 float conservative_depth_at(vec3 a, vec3 b, vec3 c, vec2 p) {
     ConservativePlane plane = conservative_plane(a, b, c);
     if (plane.edge_on) return bounded(min(a.z, min(b.z, c.z)));
-    vec3 from = conservative_nearest(a, b, c, p);
-    precise float depth = from.z + conservative_dot(plane.slope, p - from.xy);
-    return bounded(depth);
+    return bounded(conservative_depth_from(plane, conservative_nearest(a, b, c, p), p));
 }

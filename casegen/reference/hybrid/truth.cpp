@@ -46,7 +46,7 @@ template <std::size_t count>
 std::array<double, count> of_depths(const Arguments& arguments) {
     std::array<double, count> magnitudes;
     magnitudes.fill(largest_of(arguments, {0, 1, 3, 4, 6, 7, 9, 10}));
-    for (const std::size_t i : {2, 5, 8}) magnitudes[i] = largest_of(arguments, {2, 5, 8});
+    for (std::size_t i = 2; i <= 8; i += 3) magnitudes[i] = largest_of(arguments, {2, 5, 8});
     for (std::size_t i = 11; i < count; ++i) magnitudes[i] = largest_of(arguments, {11, 12});
     return magnitudes;
 }
