@@ -103,6 +103,18 @@ std::shared_ptr<const Generator> lines_generator() {
     return generator;
 }
 
+/// Unit normals all round, and texels of every size.
+std::shared_ptr<const Generator> texel_generator() {
+    auto generator = std::make_shared<Generator>();
+    generator->name = "conservative/texels";
+    generator->draw = [](Random& random, std::span<double> n) {
+        const double angle = 6.283185307179586 * random.unit();
+        n[0] = std::cos(angle), n[1] = std::sin(angle);
+        n[2] = std::exp2(1 - 20 * random.unit()), n[3] = std::exp2(1 - 20 * random.unit());
+    };
+    return generator;
+}
+
 /// Points and boxes on a coarse grid: on borders and corners as often as beside them.
 std::shared_ptr<const Generator> grid_generator() {
     auto generator = std::make_shared<Generator>();
@@ -225,6 +237,7 @@ Family conservative_family() {
                                {"texel", {0, 2, {}}, "map", "the texel's width and height"}},
                 .result = {0, FLT_MAX, "map", "how far the edge must move"},
                 .tolerance = conditioned(2),
+                .generator = texel_generator(),
                 .rule = or_zero,
             },
             {
