@@ -63,7 +63,7 @@ void count_hybrid(const Surfaces& surfaces, std::span<const PixelState> states, 
 } // namespace
 
 std::span<const char* const> counted_hybrids() {
-    static constexpr std::array names{"beister", "crsm", "bilinear"};
+    static constexpr std::array names{"beister", "crsm", "crsma", "bilinear", "crsma-one-ring"};
     return names;
 }
 

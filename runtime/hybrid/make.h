@@ -5,12 +5,18 @@
 
 namespace gnomon {
 
-std::unique_ptr<Classifier> make_sheet(Resources& resources); // sound.cpp
+// sound.cpp
+std::unique_ptr<Classifier> make_sheet(Resources& resources);
 std::unique_ptr<Classifier> make_nearest(Resources& resources);
 std::unique_ptr<Classifier> make_lists(Resources& resources);
-std::unique_ptr<Classifier> make_nothing(Resources& resources);  // nothing.cpp
-std::unique_ptr<Classifier> make_beister(Resources& resources);  // beister.cpp
-std::unique_ptr<Classifier> make_bilinear(Resources& resources); // beister.cpp
-std::unique_ptr<Classifier> make_crsm(Resources& resources);     // crsm.cpp
+// nothing.cpp
+std::unique_ptr<Classifier> make_nothing(Resources& resources);
+// beister.cpp
+std::unique_ptr<Classifier> make_beister(Resources& resources);
+std::unique_ptr<Classifier> make_bilinear(Resources& resources);
+// crsm.cpp
+std::unique_ptr<Classifier> make_crsm(Resources& resources);
+std::unique_ptr<Classifier> make_crsma(Resources& resources);
+std::unique_ptr<Classifier> make_crsma_one_ring(Resources& resources);
 
 } // namespace gnomon

@@ -17,6 +17,9 @@ const std::vector<HybridTechnique>& hybrid_techniques() {
         {"beister", "one map; certain where its four diagonal taps agree", false, make_beister},
         {"bilinear", "one map; certain where its bilinear footprint agrees", false, make_bilinear},
         {"crsm", "maps of grown and of shrunken triangles that face away", false, make_crsm},
+        {"crsma", "crsm, shrunken towards lit neighbours only, by a geometry shader", false, make_crsma},
+        {"crsma-one-ring", "crsma, cut only at vertices that a lit face touches; no geometry shader", false,
+         make_crsma_one_ring},
     };
     return all;
 }
