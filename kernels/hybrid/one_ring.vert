@@ -1,6 +1,6 @@
 // CRSMA knowing all faces round each vertex, without a geometry shader: twelve vertices a triangle, which a fan of what is left of
 // it fills. The same triangles are dropped as in CRSMA: keeping those that nothing lit touches, however short their edges, makes
-// up to 16 % fewer pixels uncertain, and hundreds of certain ones wrong.
+// up to 17 % of the pixels certain, and hundreds of these wrong (docs/hybrid.md).
 // [thesis 4.5; hybrid.md]
 #include "hybrid/published.glslh"
 #include "adjacency/one_ring.glsl"
