@@ -4,6 +4,7 @@
 #include "casegen/technique.h"
 #include "cli/commands.h"
 #include "cli/explain.h"
+#include "cli/hybrid_report.h"
 #include "cli/progress.h"
 #include "cli/rendering.h"
 #include "cli/report.h"
@@ -23,7 +24,8 @@ namespace gnomon::cli {
 namespace {
 
 struct Options {
-    std::string scene, technique = "smsr", assembly = "full", variant = to_string(Variant::frequency_order);
+    std::string scene, technique = "smsr", assembly = "full", variant = to_string(Variant::frequency_order),
+                       prune = "on";
     bool explain = false;
     ViewOptions view;
     std::vector<std::string> readings;
@@ -75,12 +77,15 @@ std::vector<std::string> variant_names() {
 }
 
 void run(const Options& options, const Common& common) {
-    const bool needs_census = options.assembly == "scene" || options.explain;
+    const bool is_hybrid = options.technique == "auto" || find_hybrid(options.technique) != nullptr;
+    const bool needs_census = options.assembly == "scene" || (options.explain && !is_hybrid);
+    if (options.prune == "off" && !is_hybrid)
+        throw Error("--prune off needs a hybrid technique; {} is none", options.technique);
     const std::vector<std::string> numbered = numbered_techniques();
     if (needs_census && std::ranges::find(numbered, options.technique) == numbered.end())
-        throw Error("--{} needs a technique with numbered cases: {}; {} has none",
+        throw Error("--{} needs a technique with numbered cases: {}{}; {} has none",
                     options.explain ? "explain" : "assembly scene", fmt::join(numbered, ", "),
-                    options.technique);
+                    options.explain ? ", or a hybrid" : "", options.technique);
     const Readings readings = readings_for(options.technique, options.readings);
     const Scene scene = scene_of(options.scene);
     const auto [camera, light, settings] = view_of(options.view, options.shadow_map, scene);
@@ -95,6 +100,7 @@ void run(const Options& options, const Common& common) {
     progress.show(1, 2);
     Judged judged{options.technique, {}, {}};
     Technique technique = technique_by_name(options.technique);
+    technique.prune = options.prune == "on";
     std::optional<Explanation> explanation;
     if (needs_census) {
         const Family& family = technique_family(options.technique);
@@ -122,6 +128,7 @@ void run(const Options& options, const Common& common) {
     report.update(judged_json(judged));
     report["assembly"] = options.assembly;
     if (options.assembly == "scene") report["left_out_pixels"] = judged.rendering.left_out;
+    if (judged.rendering.hybrid) report["hybrid"] = hybrid_json(judged.rendering, technique.prune);
     if (readings != Readings{}) report["readings"] = to_string(readings);
     if (explanation)
         report["explanation"] = explanation_json(technique_family(options.technique), *explanation);
@@ -138,6 +145,8 @@ void run(const Options& options, const Common& common) {
     if (judged.rendering.left_out > 0)
         fmt::print("{} pixels of a frame were of a case left out: found again with all cases\n",
                    judged.rendering.left_out);
+    if (options.explain && judged.rendering.hybrid)
+        fmt::print("\n{}", hybrid_text(judged.rendering, technique.prune));
     if (!explanation) return;
     fmt::print("\n{}", explanation_text(technique_family(options.technique), *explanation));
     if (explanation->differing > 0)
@@ -161,7 +170,12 @@ void add_render(CLI::App& app, Common& common) {
         ->check(CLI::IsMember({"full", "scene"}))
         ->capture_default_str();
     verb->add_flag("--explain", options->explain,
-                   "what leaving cases out is worth here: census, cases, instructions, times");
+                   "what leaving cases out is worth here: census, cases, instructions, times; of a hybrid: "
+                   "rays, maps, what was left out and why, what auto chose");
+    verb->add_option("--prune", options->prune,
+                     "off: a hybrid takes every step, whether the frame needs it or not")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str();
     verb->add_option(
             "--census", options->census,
             "JSON file of gnomon census: with --assembly scene, hold the cases counted there instead")

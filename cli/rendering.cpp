@@ -25,6 +25,7 @@ std::vector<std::string> technique_names() {
     for (std::string& name : visibility_techniques()) names.push_back(std::move(name));
     names.emplace_back("raytraced");
     for (const HybridTechnique& hybrid : hybrid_techniques()) names.push_back(hybrid.name);
+    names.emplace_back("auto");
     return names;
 }
 
@@ -32,6 +33,7 @@ Technique technique_by_name(const std::string& name) {
     if (name == "none") return {Technique::Kind::none, name};
     if (name == "raytraced") return {Technique::Kind::raytraced, name};
     if (find_hybrid(name)) return {Technique::Kind::hybrid, name};
+    if (name == "auto") return {Technique::Kind::automatic, name};
     return technique_of(technique_family(name));
 }
 

@@ -10,7 +10,7 @@
 
 namespace gnomon::cli {
 
-/// none, raytraced, and every family with a visibility kernel.
+/// none, every family with a visibility kernel, raytraced, every hybrid, and auto, the fastest exact one.
 std::vector<std::string> technique_names();
 Technique technique_by_name(const std::string& name);
 

@@ -132,6 +132,7 @@ Device::Device(const DeviceOptions& options) : context_(std::make_shared<Context
 const DeviceInfo& Device::info() const { return context_->info; }
 bool Device::has_geometry_shaders() const { return context_->geometry_shaders; }
 std::uint32_t Device::max_image_side() const { return context_->properties.limits.maxImageDimension2D; }
+std::uint64_t Device::submissions() const { return context_->submissions; }
 std::uint32_t Device::max_groups() const { return context_->properties.limits.maxComputeWorkGroupCount[0]; }
 
 VkCommandBuffer begin_commands(Context& context) {
@@ -169,6 +170,7 @@ double end_commands(Context& context, VkCommandBuffer commands) {
             throw KernelTimeout("the device was lost while it ran: does it loop for ever?");
         check(result, what);
     };
+    ++context.submissions;
     require(vkQueueSubmit(context.queue, 2, submits.data(), context.fence), "submitting work");
     const auto limit = static_cast<std::uint64_t>(context.time_limit * 1e9);
     require(vkWaitForFences(context.device, 1, &context.fence, VK_TRUE, limit), "waiting for the device");

@@ -209,6 +209,10 @@ public:
     /// Texels in row order: 16 bytes each for colours, 4 for depth.
     Buffer texels(const Target& target);
 
+    /// How often the device was given work by now (dispatches, draws, copies between memories): what was
+    /// spared can be counted.
+    std::uint64_t submissions() const;
+
 private:
     std::shared_ptr<Context> context_;
 };

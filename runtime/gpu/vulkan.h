@@ -52,7 +52,8 @@ struct Context {
     DeviceInfo info;
     bool geometry_shaders = false;
     double time_limit = 0; ///< seconds
-    bool lost = false;     ///< hangs in a kernel, or was reset: nothing may be destroyed any more
+    std::uint64_t submissions = 0;
+    bool lost = false; ///< hangs in a kernel, or was reset: nothing may be destroyed any more
 
     Context() = default;
     Context(const Context&) = delete;

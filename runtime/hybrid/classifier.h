@@ -1,6 +1,7 @@
 // The first two of a hybrid technique's five steps: shadow maps, and what they are certain of.
 #pragma once
 
+#include "runtime/hybrid/left_out.h"
 #include "runtime/pipeline/resources.h"
 #include "runtime/pipeline/stopwatch.h"
 
@@ -22,8 +23,8 @@ struct MapCost {
     double bytes_per_texel = 0;        ///< all maps and lists over all texels
 };
 
-/// Maps and their reading. The steps are called once per frame, in this order; a frame may skip create_maps
-/// where nothing would read them.
+/// Maps and their reading. The steps are called once per frame, in this order; a frame without a pixel that
+/// faces the light skips both.
 class Classifier {
 public:
     Classifier() = default;
@@ -39,6 +40,12 @@ public:
     virtual void detect(gpu::Buffer& states) = 0;
 
     virtual MapCost cost() const { return {}; }
+
+    /// Whether create_maps makes anything: else there is nothing to leave out.
+    virtual bool has_maps() const { return true; }
+
+    /// What the maps of the frame just made did without, besides what every hybrid leaves out.
+    virtual std::vector<LeftOut> left_out() const { return {}; }
 };
 
 /// A technique that traces rays only where its maps are uncertain.

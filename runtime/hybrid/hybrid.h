@@ -30,12 +30,14 @@ struct HybridFrame {
     std::size_t facing = 0; ///< pixels that face the light
     std::size_t rays = 0;   ///< pixels that were uncertain, and traced
     MapCost maps;
+    std::vector<LeftOut> left_out; ///< what this frame did without, in the order of the steps
 };
 
 class Hybrid {
 public:
-    /// `resources` and `tracer` must outlive it.
-    Hybrid(Resources& resources, LazyTracer& tracer, const HybridTechnique& technique);
+    /// `resources` and `tracer` must outlive it. Without `prune` every step is taken whether the frame needs
+    /// it or not; the image is the same.
+    Hybrid(Resources& resources, LazyTracer& tracer, const HybridTechnique& technique, bool prune = true);
     ~Hybrid();
     Hybrid(Hybrid&&) noexcept;
     Hybrid& operator=(Hybrid&&) noexcept;

@@ -33,7 +33,8 @@ struct Renderer::Impl : Resources {
     std::map<std::string, Hybrid> hybrids;
 
     gpu::Buffer depth_texels, left_out, colours;
-    HybridFrame hybrid_frame; // of the last frame
+    HybridFrame hybrid_frame;     // of the last frame
+    std::optional<Choice> choice; // of automatic techniques, once one was asked for
     std::vector<shared::Receiver> host_receivers;
     Surfaces host_surfaces;
 
@@ -174,6 +175,54 @@ struct Renderer::Impl : Resources {
         return result;
     }
 
+    static std::string key_of(const Technique& technique) {
+        return technique.prune ? technique.name : technique.name + ", whole";
+    }
+
+    Hybrid& hybrid(const Technique& technique) {
+        const auto found = hybrids.find(key_of(technique));
+        if (found != hybrids.end()) return found->second;
+        const HybridTechnique* known = find_hybrid(technique.name);
+        if (known == nullptr) throw Error("no hybrid technique \"{}\"", technique.name);
+        return hybrids.emplace(key_of(technique), Hybrid(*this, tracer, *known, technique.prune))
+            .first->second;
+    }
+
+    /// From maps to fixed pixels, over the G-buffer that is there.
+    double hybrid_milliseconds(const Technique& technique, Stopwatch& watch) {
+        const auto start = Clock::now();
+        find_visibility(technique, watch);
+        return milliseconds_since(start);
+    }
+
+    const Choice& calibrated(bool prune) {
+        if (choice) return *choice;
+        const auto start = Clock::now();
+        Stopwatch ignored;
+        draw_gbuffer(ignored);
+        std::vector<Technique> exact;
+        std::vector<std::string> names;
+        for (const HybridTechnique& technique : hybrid_techniques())
+            if (technique.sound) {
+                exact.push_back({.kind = Technique::Kind::hybrid, .name = technique.name, .prune = prune});
+                names.push_back(technique.name);
+            }
+        choice = calibrate(names, [&](std::size_t i) { return hybrid_milliseconds(exact[i], ignored); });
+        for (const Technique& technique : exact)
+            if (technique.name != choice->name()) hybrids.erase(key_of(technique));
+        choice->milliseconds = milliseconds_since(start);
+        return *choice;
+    }
+
+    /// What an automatic technique stands for; any other as it is.
+    Technique chosen(const Technique& technique) {
+        if (technique.kind != Technique::Kind::automatic) return technique;
+        Technique result = technique;
+        result.kind = Technique::Kind::hybrid;
+        result.name = calibrated(technique.prune).name();
+        return result;
+    }
+
     /// Returns the pixels whose case was left out.
     std::size_t find_visibility(const Technique& technique, Stopwatch& watch) {
         switch (technique.kind) {
@@ -187,15 +236,11 @@ struct Renderer::Impl : Resources {
             return 0;
         }
         case Technique::Kind::hybrid: {
-            auto found = hybrids.find(technique.name);
-            if (found == hybrids.end()) {
-                const HybridTechnique* known = find_hybrid(technique.name);
-                if (known == nullptr) throw Error("no hybrid technique \"{}\"", technique.name);
-                found = hybrids.emplace(technique.name, Hybrid(*this, tracer, *known)).first;
-            }
-            hybrid_frame = found->second.run(watch);
+            hybrid_frame = hybrid(technique).run(watch);
             return 0;
         }
+        case Technique::Kind::automatic:
+            return find_visibility(chosen(technique), watch);
         case Technique::Kind::none:
             break;
         }
@@ -229,10 +274,12 @@ void Renderer::look(const Camera& camera, const Light& light) {
     r.device.write(r.frame_buffer, gpu::bytes_of(r.frame));
     r.host_receivers.clear();
     r.host_surfaces = {};
+    r.choice.reset();
 }
 
-Rendering Renderer::render(const Technique& technique, int frames) {
+Rendering Renderer::render(const Technique& asked, int frames) {
     Impl& r = *impl_;
+    const Technique technique = r.chosen(asked);
     Stopwatch watch;
     std::size_t left_out = 0;
     for (int i = 0; i < std::max(frames, 1) + 1; ++i) {
@@ -244,8 +291,12 @@ Rendering Renderer::render(const Technique& technique, int frames) {
             r.per_pixel());
         watch.add("shade", shaded * 1e-6);
     }
-    return {r.device.read<float>(r.visibility), r.read_image(), watch.medians(), left_out,
-            technique.kind == Technique::Kind::hybrid ? std::optional(r.hybrid_frame) : std::nullopt};
+    return {r.device.read<float>(r.visibility),
+            r.read_image(),
+            watch.medians(),
+            left_out,
+            technique.kind == Technique::Kind::hybrid ? std::optional(r.hybrid_frame) : std::nullopt,
+            asked.kind == Technique::Kind::automatic ? r.choice : std::nullopt};
 }
 
 std::vector<float> Renderer::visibility(const Technique& technique) {
@@ -309,9 +360,39 @@ double Renderer::time_first_visibility(const Technique& technique) {
 
 std::vector<PixelState> Renderer::states(const Technique& technique) {
     Impl& r = *impl_;
-    if (!r.hybrids.contains(technique.name)) visibility(technique);
-    return r.hybrids.at(technique.name).states();
+    const Technique hybrid = r.chosen(technique);
+    if (!r.hybrids.contains(Impl::key_of(hybrid))) visibility(hybrid);
+    return r.hybrids.at(Impl::key_of(hybrid)).states();
 }
+
+std::vector<HybridTimes> Renderer::time_hybrids(const std::vector<Technique>& techniques, int rounds) {
+    Impl& r = *impl_;
+    std::vector<Technique> timed; // calibrated before the clock runs
+    for (const Technique& technique : techniques) timed.push_back(r.chosen(technique));
+    std::vector<HybridTimes> result(timed.size());
+    std::vector<Stopwatch> watches(timed.size());
+    Stopwatch ignored;
+    r.draw_gbuffer(ignored);
+    for (std::size_t i = 0; i < timed.size(); ++i) {
+        r.hybrid_milliseconds(timed[i], ignored);
+        result[i].visibility = r.device.read<float>(r.visibility);
+    }
+    std::vector<std::vector<double>> whole(timed.size());
+    for (int round = 0; round < std::max(rounds, 1); ++round)
+        for (std::size_t i = 0; i < timed.size(); ++i) {
+            whole[i].push_back(r.hybrid_milliseconds(timed[i], watches[i]));
+            result[i].frame = r.hybrid_frame;
+        }
+    for (std::size_t i = 0; i < timed.size(); ++i) {
+        result[i].steps = watches[i].medians_of_all();
+        result[i].milliseconds = median(whole[i]);
+        result[i].least = std::ranges::min(whole[i]);
+        result[i].most = std::ranges::max(whole[i]);
+    }
+    return result;
+}
+
+const Choice& Renderer::choice(bool prune) { return impl_->calibrated(prune); }
 
 const Surfaces& Renderer::surfaces() {
     impl_->read_receivers();

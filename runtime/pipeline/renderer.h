@@ -4,6 +4,7 @@
 
 #include "runtime/glsl/compiler.h"
 #include "runtime/gpu/device.h"
+#include "runtime/hybrid/choice.h"
 #include "runtime/hybrid/hybrid.h"
 #include "runtime/image.h"
 #include "runtime/pipeline/stopwatch.h"
@@ -27,6 +28,16 @@ struct Rendering {
     /// again with all cases, in a step of its own.
     std::size_t left_out = 0;
     std::optional<HybridFrame> hybrid; ///< of the last frame of a hybrid technique
+    std::optional<Choice> choice;      ///< what an automatic technique chose, and from which times
+};
+
+/// One hybrid technique's frames without what all techniques share: no G-buffer, no shading.
+struct HybridTimes {
+    std::vector<Step> steps;       ///< medians, in the order of the steps
+    double milliseconds = 0;       ///< of whole frames: a median of its own
+    double least = 0, most = 0;    ///< of the same frames
+    std::vector<float> visibility; ///< as Rendering's
+    HybridFrame frame;             ///< the last
 };
 
 /// What is the same for all techniques, per pixel.
@@ -70,6 +81,15 @@ public:
     /// techniques take turns, so that a machine that slows down slows all of them alike. Medians of `rounds`;
     /// one more is discarded. Nothing falls back.
     std::vector<double> time_visibility(const std::vector<Technique>& techniques, int rounds);
+
+    /// Hybrid and automatic techniques over one G-buffer, in turns as above: frames from maps to fixed
+    /// pixels. The first round, which compiles and builds the BVH, is discarded; `rounds` more count.
+    std::vector<HybridTimes> time_hybrids(const std::vector<Technique>& techniques, int rounds);
+
+    /// What an automatic technique takes in this view: calibrated when it is first asked for, and then kept
+    /// until look. Sizes, scene and device are a renderer's for ever. What the losers held on the device is
+    /// released.
+    const Choice& choice(bool prune = true);
 
     /// Milliseconds from the technique's SPIR-V to the end of its first dispatch, less those of a second one:
     /// what the driver takes to compile it, unless it has seen it before.

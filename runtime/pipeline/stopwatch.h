@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gnomon {
@@ -13,12 +14,17 @@ struct Step {
     double milliseconds = 0; ///< median over frames, the first one discarded
 };
 
+/// 0 of none.
+inline double median(std::vector<double> times) {
+    std::ranges::sort(times);
+    const std::size_t n = times.size();
+    return n == 0 ? 0 : n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2]);
+}
+
 /// Without the first of several, which holds compilation.
 inline double median_of_later(std::vector<double> times) {
     if (times.size() > 1) times.erase(times.begin());
-    std::ranges::sort(times);
-    const std::size_t n = times.size();
-    return n % 2 == 1 ? times[n / 2] : 0.5 * (times[n / 2 - 1] + times[n / 2]);
+    return median(std::move(times));
 }
 
 /// Step times of several frames, in the order in which steps first happened.
@@ -40,11 +46,9 @@ public:
         add(step, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     }
 
-    std::vector<Step> medians() const {
-        std::vector<Step> result;
-        for (const Samples& step : steps_) result.push_back({step.name, median_of_later(step.milliseconds)});
-        return result;
-    }
+    std::vector<Step> medians() const { return each(median_of_later); }
+    /// Of a watch that saw no first frame.
+    std::vector<Step> medians_of_all() const { return each(median); }
 
 private:
     struct Samples {
@@ -52,6 +56,13 @@ private:
         std::vector<double> milliseconds;
     };
     std::vector<Samples> steps_;
+
+    template <typename Of>
+    std::vector<Step> each(Of&& of) const {
+        std::vector<Step> result;
+        for (const Samples& step : steps_) result.push_back({step.name, of(step.milliseconds)});
+        return result;
+    }
 };
 
 } // namespace gnomon

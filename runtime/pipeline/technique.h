@@ -14,6 +14,7 @@ struct Technique {
         kernel,    ///< by the kernel `family`/visibility over the shadow map
         raytraced, ///< by a shadow ray: the truth
         hybrid,    ///< by maps where they are certain, by rays elsewhere (runtime/hybrid)
+        automatic, ///< by the exact hybrid that calibration finds fastest (runtime/hybrid/choice.h)
     };
     Kind kind = Kind::none;
     std::string name;
@@ -24,6 +25,8 @@ struct Technique {
     /// A frame in which a pixel's case was left out is found again with the renderer's own sources. Without
     /// it such pixels are lit, which is wrong: for tests that this matters.
     bool falls_back = true;
+    /// A hybrid leaves out what a frame does not need. The image is the same without: for tests.
+    bool prune = true;
 };
 
 /// The sources with the technique's own before them, and <technique>:
