@@ -51,7 +51,7 @@ void run(const Options& options, const Common& common) {
 
 } // namespace
 
-void add_bench(CLI::App& app, Common& common) {
+void add_bench(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("bench", "measure how wrong kernels are and how long they take, side by side");
     auto options = std::make_shared<Options>();
@@ -85,7 +85,10 @@ void add_bench(CLI::App& app, Common& common) {
     verb->footer("  gnomon bench integral/radiance --out out/radiance     the variants of one quantity, with "
                  "pictures\n"
                  "  gnomon bench smsr --no-time                           how wrong a family's kernels are");
-    verb->callback([options, &common] { run(*options, common); });
+    add_bench_hybrid(*verb, common, exit_code);
+    verb->callback([options, verb, &common] {
+        if (verb->get_subcommands().empty()) run(*options, common);
+    });
 }
 
 } // namespace gnomon::cli

@@ -12,7 +12,7 @@ namespace {
 
 /// Steps that every technique takes alike; BVH building is once per scene, as uploading is.
 bool is_shared(const std::string& step) {
-    constexpr std::array shared{"g-buffer", "receivers", "shade", "build BVH"};
+    constexpr std::array shared{"g-buffer", "receivers", "fit light", "shade", "build BVH"};
     return std::ranges::find(shared, step) != shared.end();
 }
 
