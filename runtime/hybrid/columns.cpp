@@ -1,7 +1,7 @@
 #include "runtime/hybrid/columns.h"
 
+#include "runtime/adjacency.h"
 #include "runtime/error.h"
-#include "runtime/hybrid/rings.h"
 
 #include <algorithm>
 
@@ -32,7 +32,7 @@ Columns::Columns(Resources& resources)
     slots = r_.device.allocate(side * side * sizeof(std::uint32_t));
     farthest = r_.device.allocate(r_.pixels() * sizeof(std::uint32_t));
     heads = r_.device.allocate(r_.pixels() * sizeof(std::uint32_t));
-    rings = r_.device.upload(half_edge_rings(r_.scene));
+    rings = r_.device.upload(make_adjacency(r_.scene).next);
     bin_farthest_ = r_.device.allocate(bins * bins * sizeof(std::uint32_t));
     counters_ = r_.device.allocate(sizeof(Counters));
     node_capacity_ = std::max<std::size_t>(1 << 16, 4 * r_.scene.triangles.size());
