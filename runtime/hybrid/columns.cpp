@@ -85,7 +85,11 @@ bool Columns::bin_all() {
 void Columns::build() {
     const std::optional<Seen> seen = seen_.find();
     node_count_ = 0;
-    if (!seen) return; // no pixel asks
+    if (!seen) { // no pixel asks: no slot is a texel's, and whatever goes through slots finds none
+        const std::vector<std::uint32_t> none(r_.pixels());
+        r_.device.write(farthest, std::as_bytes(std::span(none)));
+        return;
+    }
     host_space_ = column_space(r_.frame, seen->world);
     r_.device.write(places, std::as_bytes(std::span<const glm::vec4>(column_places(host_space_, r_.scene))));
     while (!bin_all()) {}
