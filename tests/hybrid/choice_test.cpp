@@ -15,7 +15,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 std::vector<Candidate> candidates(const std::vector<std::vector<double>>& times) {
     std::vector<Candidate> all;
     for (std::size_t i = 0; i < times.size(); ++i)
-        all.push_back({.name = std::to_string(i), .milliseconds = times[i]});
+        all.push_back({.name = fmt::format("{}", i), .milliseconds = times[i]});
     return all;
 }
 
@@ -76,7 +76,7 @@ struct Machine {
     }
     Choice run(const CalibrationRules& rules = {}) {
         std::vector<std::string> names;
-        for (std::size_t i = 0; i < times.size(); ++i) names.push_back("t" + std::to_string(i));
+        for (std::size_t i = 0; i < times.size(); ++i) names.push_back(fmt::format("t{}", i));
         return calibrate(
             names, [this](std::size_t i) { return frame(i); }, rules);
     }
