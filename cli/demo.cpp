@@ -113,11 +113,12 @@ int run(const std::filesystem::path& folder, const Common& common, const std::st
     const std::filesystem::path radiance = measure_radiance(folder / "radiance", common);
     std::vector<Judged> all;
     std::vector<std::string> names = technique_names();
+    std::erase(names, "none");
+    std::erase(names, "auto"); // the picture of one of the others
     const Rendering truth = renderer.render(technique_by_name("raytraced"));
     {
         Progress progress("rendering");
         for (const std::string& name : names) {
-            if (name == "none") continue;
             Judged judged{name, name == "raytraced" ? truth : renderer.render(technique_by_name(name)), {}};
             judged.counts = count_pixels(renderer.surfaces(), judged.rendering.visibility, truth.visibility);
             write_png(folder / (name + ".png"), judged.rendering.image);
@@ -126,7 +127,7 @@ int run(const std::filesystem::path& folder, const Common& common, const std::st
                           false_colours(renderer.surfaces(), judged.rendering.visibility, truth.visibility,
                                         settings.width, settings.height));
             all.push_back(std::move(judged));
-            progress.show(all.size(), names.size() - 1);
+            progress.show(all.size(), names.size());
         }
     }
     require_no_validation_messages();
