@@ -4,7 +4,7 @@
 #include "pipeline/linear.glslh"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 9) writeonly buffer Pairs { uvec2 pairs[]; };  // triangle, bin
+layout(std430, binding = 10) writeonly buffer Pairs { uvec2 pairs[]; };  // triangle, bin
 
 void main() {
     uint triangle = linear_index();
@@ -15,14 +15,14 @@ void main() {
     if (any(greaterThan(from, to))) return;
     int side = bin_side();
     ivec2 first = from / side, last = to / side, texels = to - from + 1;
-    bool small = all(lessThanEqual(last - first, ivec2(1))) && texels.x * texels.y <= 256;
+    bool small = all(lessThanEqual(last - first, ivec2(1))) && texels.x * texels.y <= 64;
     float nearest = min(min(t.p[0].z, t.p[1].z), t.p[2].z);
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
             uint bin = bin_index(ivec2(x, y));
             if (bin_farthest[bin] == 0u || !can_be_hit(nearest, t, bin_farthest[bin])) continue;
             if (small) {
-                put_all(triangle, t, max(from, ivec2(x, y) * side), min(to, ivec2(x, y) * side + side - 1));
+                put(triangle, t, max(from, ivec2(x, y) * side), min(to, ivec2(x, y) * side + side - 1));
                 continue;
             }
             vec2 centre = (vec2(x, y) + 0.5) * float(side) + space.map.xy;

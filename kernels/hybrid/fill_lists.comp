@@ -3,7 +3,7 @@
 #include "pipeline/linear.glslh"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = 9) readonly buffer Pairs { uvec2 pairs[]; };
+layout(std430, binding = 10) readonly buffer Pairs { uvec2 pairs[]; };
 
 void main() {
     uint pair = linear_index();
@@ -13,5 +13,5 @@ void main() {
     Solid t = solid(triangle);
     ivec2 from, to;
     box_of(t, from, to);
-    put_all(triangle, t, max(from, bin), min(to, bin + bin_side() - 1));
+    put(triangle, t, max(from, bin), min(to, bin + bin_side() - 1));
 }

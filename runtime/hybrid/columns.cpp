@@ -20,8 +20,8 @@ struct Counters {
 
 Columns::Columns(Resources& resources)
     : r_(resources), seen_(resources), clear_(resources.kernel("hybrid/clear.comp")),
-      mark_(resources.kernel("hybrid/mark.comp")), farthest_kernel_(resources.kernel("hybrid/farthest.comp")),
-      bin_(resources.kernel("hybrid/bin.comp")), fill_(resources.kernel("hybrid/fill_lists.comp")) {
+      mark_(resources.kernel("hybrid/mark.comp")), bin_(resources.kernel("hybrid/bin.comp")),
+      fill_(resources.kernel("hybrid/fill_lists.comp")) {
     if (r_.frame.light_origin.w == 1.0f)
         throw Error(
             "columns need a directional light; leave --light-position out, or take another technique");
@@ -34,6 +34,7 @@ Columns::Columns(Resources& resources)
     heads = r_.device.allocate(r_.pixels() * sizeof(std::uint32_t));
     rings = r_.device.upload(make_adjacency(r_.scene).next);
     bin_farthest_ = r_.device.allocate(bins * bins * sizeof(std::uint32_t));
+    masks_ = r_.device.allocate((side + 7) / 8 * ((side + 3) / 4) * sizeof(std::uint32_t));
     counters_ = r_.device.allocate(sizeof(Counters));
     node_capacity_ = std::max<std::size_t>(1 << 16, 4 * r_.scene.triangles.size());
     pair_capacity_ = std::max<std::size_t>(1 << 14, 2 * bins * bins);
@@ -49,23 +50,24 @@ bool Columns::bin_all() {
     host_space_.bins = {bin, (r_.frame.size.z + bin - 1) / bin, 0, 0};
     r_.device.write(space, gpu::bytes_of(host_space_));
     const std::size_t texels = std::size_t{r_.frame.size.z} * r_.frame.size.z;
-    r_.device.run(clear_, {&space, &slots, &bin_farthest_}, Resources::linear(texels));
-    r_.device.run(mark_, {&space, &r_.frame_buffer, &r_.receivers, &slots, &farthest, &heads},
-                  r_.per_pixel());
-    r_.device.run(farthest_kernel_,
-                  {&space, &r_.frame_buffer, &r_.receivers, &slots, &farthest, &bin_farthest_},
+    const auto pixels = static_cast<std::uint32_t>(r_.pixels());
+    gpu::Dispatch clear = Resources::linear(std::max<std::size_t>(texels, pixels));
+    clear.constants = gpu::bytes_of(pixels);
+    r_.device.run(clear_, {&space, &slots, &bin_farthest_, &masks_, &farthest, &heads}, clear);
+    r_.device.run(mark_,
+                  {&space, &r_.frame_buffer, &r_.receivers, &slots, &farthest, &bin_farthest_, &masks_},
                   r_.per_pixel());
     const Counters none;
     r_.device.write(counters_, gpu::bytes_of(none));
     r_.device.run(bin_,
                   {&space, &places, &r_.triangles, &slots, &farthest, &bin_farthest_, &heads, &nodes_buffer,
-                   &counters_, &pairs_},
+                   &counters_, &masks_, &pairs_},
                   Resources::linear(host_space_.size.y));
     Counters counted = r_.device.read<Counters>(counters_).front();
     if (counted.pairs > 0 && counted.pairs <= pair_capacity_)
         r_.device.run(fill_,
                       {&space, &places, &r_.triangles, &slots, &farthest, &bin_farthest_, &heads,
-                       &nodes_buffer, &counters_, &pairs_},
+                       &nodes_buffer, &counters_, &masks_, &pairs_},
                       Resources::linear(counted.pairs));
     counted = r_.device.read<Counters>(counters_).front();
     node_count_ = counted.nodes;

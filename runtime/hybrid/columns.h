@@ -25,8 +25,8 @@ public:
 private:
     Resources& r_;
     SeenBounds seen_;
-    gpu::Kernel clear_, mark_, farthest_kernel_, bin_, fill_;
-    gpu::Buffer bin_farthest_, counters_, pairs_;
+    gpu::Kernel clear_, mark_, bin_, fill_;
+    gpu::Buffer bin_farthest_, masks_, counters_, pairs_;
     std::size_t node_count_ = 0, node_capacity_ = 0, pair_capacity_ = 0;
     shared::ColumnSpace host_space_{};
     bool bin_all(); ///< false: there was too little room, now there is enough
