@@ -16,11 +16,11 @@ void main() {
     int side = bin_side();
     ivec2 first = from / side, last = to / side, texels = to - from + 1;
     bool small = all(lessThanEqual(last - first, ivec2(1))) && texels.x * texels.y <= 64;
-    float nearest = min(min(t.p[0].z, t.p[1].z), t.p[2].z);
+    float nearest = min(min(t.p[0].z, t.p[1].z), t.p[2].z) - t.margin_z;
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
             uint bin = bin_index(ivec2(x, y));
-            if (bin_farthest[bin] == 0u || !can_be_hit(nearest, t, bin_farthest[bin])) continue;
+            if (bin_farthest[bin] == 0u || !can_be_hit(nearest, bin_farthest[bin])) continue;
             if (small) {
                 put(triangle, t, max(from, ivec2(x, y) * side), min(to, ivec2(x, y) * side + side - 1));
                 continue;

@@ -27,7 +27,8 @@ void main() {
         if (slot == 0u) slot = number + 1u;
         atomicOr(masks[uint(texel.y / 4) * words_across() + uint(texel.x / 8)], 1u << uint(8 * (texel.y % 4) + texel.x % 8));
     }
-    if (farthest[slot - 1u] < depth) atomicMax(farthest[slot - 1u], depth);
+    if (farthest[slot - 1u] >= depth) return;
+    atomicMax(farthest[slot - 1u], depth);
     uint bin = bin_index(texel / bin_side());
     if (bin_farthest[bin] < depth) atomicMax(bin_farthest[bin], depth);
 }

@@ -1,26 +1,23 @@
 // For every texel that holds a receiver, by its slot: the eight triangles of its column that reach nearest to the light, and how near
 // the ninth does. Equally near ones in the order of their numbers, so that the lists' order does not matter.
 //                                                                                       [hybrid.md, sound classifiers: nearest-8]
-#include "column/depth_bounds.glsl"
 #include "hybrid/columns.glslh"
 #include "hybrid/nearest.glslh"
-#include "hybrid/solid.glslh"
+#include "hybrid/node.glslh"
 #include "pipeline/frame.glslh"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(std430, binding = 3) readonly buffer Farthest { uint farthest[]; };
-layout(std430, binding = 4) readonly buffer Heads { uint heads[]; };
-layout(std430, binding = 5) readonly buffer Nodes { uvec2 nodes[]; };
-layout(std430, binding = 6) writeonly buffer NearestOf { Nearest nearest_of[]; };
-layout(std430, binding = 7) readonly buffer Frames { Frame frame; };
-layout(std430, binding = 8) readonly buffer Receivers { Receiver receivers[]; };
+layout(std430, binding = 1) readonly buffer Farthest { uint farthest[]; };
+layout(std430, binding = 2) readonly buffer Heads { uint heads[]; };
+layout(std430, binding = 3) readonly buffer Nodes { Node nodes[]; };
+layout(std430, binding = 4) writeonly buffer NearestOf { Nearest nearest_of[]; };
+layout(std430, binding = 5) readonly buffer Frames { Frame frame; };
 
 void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(pixel, frame.size.xy))) return;
     uint slot = pixel.y * frame.size.x + pixel.x;
     if (farthest[slot] == 0u) return; // no texel's slot
-    vec2 centre = texel_centre(texel_of(to_column(receivers[slot].origin.xyz).xy));
     float depths[KEPT];
     Nearest nearest;
     for (int i = 0; i < KEPT; ++i) {
@@ -29,12 +26,11 @@ void main() {
     }
     nearest.next = 1.0 / 0.0;
     int length = 0;
-    for (uint node = heads[slot]; node != NO_NODE; node = nodes[node].y) {
+    for (uint node = heads[slot]; node != NO_NODE; node = nodes[node].next) {
         if (++length > LONGEST) nearest.next = -1.0 / 0.0; // whatever else there is
         if (length > LONGEST) break;
-        uint triangle = nodes[node].x;
-        Solid t = solid(triangle);
-        float depth = column_depth_bounds(t.p[0], t.p[1], t.p[2], centre, half_texel(t), t.margin).x - t.margin_z;
+        uint triangle = nodes[node].triangle;
+        float depth = nodes[node].nearest;
         // Sink it into the sorted eight; what falls out is the ninth so far.
         for (int i = 0; i < KEPT; ++i) {
             bool before = depth < depths[i] || depth == depths[i] && triangle < nearest.triangles[i];

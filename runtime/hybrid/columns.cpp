@@ -4,6 +4,7 @@
 #include "runtime/error.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gnomon {
 namespace {
@@ -11,6 +12,12 @@ namespace {
 /// Texels on a side of a bin: small enough to tell where receivers are, and no more than 128 bins across,
 /// which a thread may have to walk (kernels/hybrid/columns.glslh, MOST_TURNS).
 std::uint32_t bin_side(std::uint32_t map) { return std::max(8u, (map + 127) / 128); }
+
+constexpr std::size_t node_bytes = 12; // kernels/hybrid/node.glslh
+
+/// Entries that a pixel reads of a list, and all pixels together.
+constexpr std::uint32_t longest_list = 2048;
+constexpr double most_turns = 1 << 24;
 
 struct Counters {
     std::uint32_t nodes = 0, pairs = 0;
@@ -38,7 +45,7 @@ Columns::Columns(Resources& resources)
     counters_ = r_.device.allocate(sizeof(Counters));
     node_capacity_ = std::max<std::size_t>(1 << 16, 4 * r_.scene.triangles.size());
     pair_capacity_ = std::max<std::size_t>(1 << 14, 2 * bins * bins);
-    nodes_buffer = r_.device.allocate(node_capacity_ * sizeof(glm::uvec2));
+    nodes_buffer = r_.device.allocate(node_capacity_ * node_bytes);
     pairs_ = r_.device.allocate(pair_capacity_ * sizeof(glm::uvec2));
 }
 
@@ -47,7 +54,7 @@ bool Columns::bin_all() {
                         static_cast<std::uint32_t>(node_capacity_),
                         static_cast<std::uint32_t>(pair_capacity_)};
     const std::uint32_t bin = bin_side(r_.frame.size.z);
-    host_space_.bins = {bin, (r_.frame.size.z + bin - 1) / bin, 0, 0};
+    host_space_.bins = {bin, (r_.frame.size.z + bin - 1) / bin, longest_list, 0};
     r_.device.write(space, gpu::bytes_of(host_space_));
     const std::size_t texels = std::size_t{r_.frame.size.z} * r_.frame.size.z;
     const auto pixels = static_cast<std::uint32_t>(r_.pixels());
@@ -79,26 +86,33 @@ bool Columns::bin_all() {
     }
     if (counted.nodes > node_capacity_) {
         node_capacity_ = counted.nodes + counted.nodes / 4;
-        nodes_buffer = r_.device.allocate(node_capacity_ * sizeof(glm::uvec2));
+        nodes_buffer = r_.device.allocate(node_capacity_ * node_bytes);
     }
     return false;
 }
 
 void Columns::build() {
-    const std::optional<Seen> seen = seen_.find();
+    if (!r_.seen)
+        if (const std::optional<Seen> found = seen_.find()) r_.seen = found->world;
     node_count_ = 0;
-    if (!seen) { // no pixel asks: no slot is a texel's, and whatever goes through slots finds none
+    if (!r_.seen) { // no pixel asks: no slot is a texel's, and whatever goes through slots finds none
         const std::vector<std::uint32_t> none(r_.pixels());
         r_.device.write(farthest, std::as_bytes(std::span(none)));
         return;
     }
-    host_space_ = column_space(r_.frame, seen->world);
+    host_space_ = column_space(r_.frame, *r_.seen);
     r_.device.write(places, std::as_bytes(std::span<const glm::vec4>(column_places(host_space_, r_.scene))));
     while (!bin_all()) {}
+    // Few texels under many pixels, or very many triangles: reading lists would take longer than any ray.
+    const double pixels = static_cast<double>(r_.pixels()), texels = std::pow(r_.frame.size.z, 2);
+    if (static_cast<double>(node_count_) * std::max(1.0, pixels / texels) > most_turns) {
+        host_space_.bins.z = static_cast<std::uint32_t>(std::max(16.0, most_turns / pixels));
+        r_.device.write(space, gpu::bytes_of(host_space_));
+    }
 }
 
 std::size_t Columns::bytes() const {
-    return slots.size() + farthest.size() + heads.size() + node_count_ * sizeof(glm::uvec2);
+    return slots.size() + farthest.size() + heads.size() + node_count_ * node_bytes;
 }
 
 } // namespace gnomon

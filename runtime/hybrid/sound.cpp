@@ -32,93 +32,64 @@ private:
     gpu::Kernel detect_;
 };
 
-/// The sheets over the columns of a frame.
-class Sheets {
-public:
-    explicit Sheets(Resources& resources)
-        : depths(resources.device.allocate(resources.pixels() * sizeof(float))), r_(resources),
-          kernel_(resources.kernel("hybrid/sheets.comp")) {}
-
-    void build(const Columns& columns) {
-        r_.device.run(kernel_,
-                      {&columns.space, &columns.places, &r_.triangles, &columns.farthest, &columns.heads,
-                       &columns.nodes_buffer, &columns.rings, &depths, &r_.frame_buffer, &r_.receivers},
-                      r_.per_pixel());
-    }
-
-    gpu::Buffer depths; ///< per texel, of the nearest sheet that covers it
-
-private:
-    Resources& r_;
-    gpu::Kernel kernel_;
-};
-
 class Sheet : public Classifier {
 public:
     explicit Sheet(Resources& resources)
-        : r_(resources), columns_(resources), sheets_(resources),
-          detect_(resources.kernel("hybrid/detect_sheet.comp")) {}
+        : r_(resources), columns_(resources), detect_(resources.kernel("hybrid/detect_sheet.comp")) {}
 
-    void create_maps() override {
-        columns_.build();
-        sheets_.build(columns_);
-    }
+    void create_maps() override { columns_.build(); }
 
     void detect(gpu::Buffer& states) override {
         r_.device.run(detect_,
                       {&columns_.space, &columns_.places, &r_.triangles, &r_.frame_buffer, &r_.receivers,
                        &states, &r_.visibility, &columns_.slots, &columns_.heads, &columns_.nodes_buffer,
-                       &sheets_.depths, &r_.world_texels},
+                       &columns_.rings, &r_.world_texels},
                       r_.per_pixel());
     }
 
     MapCost cost() const override {
-        return {columns_.nodes(), static_cast<double>(columns_.bytes() + sheets_.depths.size()) /
+        return {columns_.nodes(), static_cast<double>(columns_.bytes()) /
                                       (static_cast<double>(r_.frame.size.z) * r_.frame.size.z)};
     }
 
 private:
     Resources& r_;
     Columns columns_;
-    Sheets sheets_;
     gpu::Kernel detect_;
 };
 
 class Nearest : public Classifier {
 public:
     explicit Nearest(Resources& resources)
-        : r_(resources), columns_(resources), sheets_(resources),
-          nearest_(resources.kernel("hybrid/nearest.comp")),
+        : r_(resources), columns_(resources), nearest_(resources.kernel("hybrid/nearest.comp")),
           detect_(resources.kernel("hybrid/detect_nearest.comp")),
           records_(resources.device.allocate(resources.pixels() * record_bytes)) {}
 
     void create_maps() override {
         columns_.build();
-        sheets_.build(columns_);
         r_.device.run(nearest_,
-                      {&columns_.space, &columns_.places, &r_.triangles, &columns_.farthest, &columns_.heads,
-                       &columns_.nodes_buffer, &records_, &r_.frame_buffer, &r_.receivers},
+                      {&columns_.space, &columns_.farthest, &columns_.heads, &columns_.nodes_buffer,
+                       &records_, &r_.frame_buffer},
                       r_.per_pixel());
     }
 
     void detect(gpu::Buffer& states) override {
         r_.device.run(detect_,
                       {&columns_.space, &columns_.places, &r_.triangles, &r_.frame_buffer, &r_.receivers,
-                       &states, &r_.visibility, &columns_.slots, &sheets_.depths, &records_, &columns_.rings},
+                       &states, &r_.visibility, &columns_.slots, &columns_.heads, &columns_.nodes_buffer,
+                       &columns_.rings, &records_},
                       r_.per_pixel());
     }
 
     MapCost cost() const override {
-        return {columns_.nodes(),
-                static_cast<double>(columns_.bytes() + sheets_.depths.size() + records_.size()) /
-                    (static_cast<double>(r_.frame.size.z) * r_.frame.size.z)};
+        return {columns_.nodes(), static_cast<double>(columns_.bytes() + records_.size()) /
+                                      (static_cast<double>(r_.frame.size.z) * r_.frame.size.z)};
     }
 
 private:
     static constexpr std::size_t record_bytes = 9 * sizeof(std::uint32_t); // hybrid/nearest.glslh
     Resources& r_;
     Columns columns_;
-    Sheets sheets_;
     gpu::Kernel nearest_, detect_;
     gpu::Buffer records_;
 };

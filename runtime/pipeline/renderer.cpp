@@ -118,6 +118,7 @@ struct Renderer::Impl : Resources {
             frame = wide;
             device.write(frame_buffer, gpu::bytes_of(frame));
         }
+        seen.reset();
         watch.add("receivers", find_receivers());
         if (seen_bounds) watch.time("fit light", [&] { fit_light(); });
     }
@@ -131,9 +132,10 @@ struct Renderer::Impl : Resources {
 
     /// The map over what the receivers need of it.
     void fit_light() {
-        const std::optional<Seen> seen = seen_bounds->find();
-        if (!seen) return; // nothing faces the light
-        frame = refitted(wide, seen->lower, seen->upper);
+        const std::optional<Seen> found = seen_bounds->find();
+        if (!found) return; // nothing faces the light
+        seen = found->world;
+        frame = refitted(wide, found->lower, found->upper);
         device.write(frame_buffer, gpu::bytes_of(frame));
         find_receivers();
     }

@@ -8,6 +8,7 @@
 #include "runtime/scene.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace gnomon {
 
@@ -22,6 +23,7 @@ struct Resources {
     gpu::Buffer world_texels, normal_texels; ///< the G-buffer: position and triangle + 1; shading normal
     gpu::Buffer receivers;                   ///< kernels/pipeline/receiver.glslh, per pixel
     gpu::Buffer visibility;                  ///< float per pixel: what every technique writes
+    std::optional<Box> seen{}; ///< of this frame's shadow rays' origins, if it was needed already (seen.h)
 
     /// A stage by its file below the kernels' folder ("hybrid/fill.comp"), or below pipeline/.
     glsl::Spirv stage(const std::string& file) const { return stage(file, sources); }
