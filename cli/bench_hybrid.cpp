@@ -48,7 +48,7 @@ int run(const Options& options, const Common& common) {
         for (const int map : options.bench.shadow_maps) {
             ViewOptions view = options.view;
             view.size = size;
-            views.push_back(view_of(view, map, scene));
+            views.push_back(view_of(view, map, scene, LightFit::visible_points));
         }
     if (!options.out.empty()) measure::require_report_folder(options.out);
 

@@ -88,7 +88,8 @@ void run(const Options& options, const Common& common) {
                     options.explain ? ", or a hybrid" : "", options.technique);
     const Readings readings = readings_for(options.technique, options.readings);
     const Scene scene = scene_of(options.scene);
-    const auto [camera, light, settings] = view_of(options.view, options.shadow_map, scene);
+    const auto [camera, light, settings] = view_of(options.view, options.shadow_map, scene,
+                                                   is_hybrid ? LightFit::visible_points : LightFit::seen_box);
     require_outputs(options);
 
     Progress progress("rendering");

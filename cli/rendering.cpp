@@ -1,6 +1,7 @@
 #include "cli/rendering.h"
 
 #include "casegen/technique.h"
+#include "cli/view.h"
 
 #include <fmt/format.h>
 
@@ -74,16 +75,17 @@ nlohmann::ordered_json judged_json(const Judged& judged) {
 }
 
 nlohmann::ordered_json view_json(const Camera& camera, const Light& light, const ViewSettings& settings) {
-    nlohmann::ordered_json json{{"size", {settings.width, settings.height}},
-                                {"shadow_map", settings.shadow_map},
-                                {"camera",
-                                 {{"position", vector_json(camera.position)},
-                                  {"direction", vector_json(camera.direction)},
-                                  {"fov_degrees_vertical", camera.fov},
-                                  {"near", camera.near},
-                                  {"far", camera.far}}},
-                                {"light", {{"direction", vector_json(light.direction)}}},
-                                {"receiver", settings.receiver_plane ? "plane" : "depth"}};
+    nlohmann::ordered_json json{
+        {"size", {settings.width, settings.height}},
+        {"shadow_map", settings.shadow_map},
+        {"camera",
+         {{"position", vector_json(camera.position)},
+          {"direction", vector_json(camera.direction)},
+          {"fov_degrees_vertical", camera.fov},
+          {"near", camera.near},
+          {"far", camera.far}}},
+        {"light", {{"direction", vector_json(light.direction)}, {"fit", to_string(settings.light_fit)}}},
+        {"receiver", settings.receiver_plane ? "plane" : "depth"}};
     if (settings.bias > 0) json["bias"] = settings.bias;
     if (light.position) {
         json["light"]["position"] = vector_json(*light.position);

@@ -60,6 +60,11 @@ void add_view_options(CLI::App& verb, ViewOptions& options) {
     verb.add_option("--light-fov", options.light_fov, "a perspective light's field of view in degrees")
         ->needs(light_position)
         ->capture_default_str();
+    verb.add_option(
+            "--light-fit", options.light_fit,
+            "what a directional light's map covers: what the camera can see of the scene's box, the camera's "
+            "frustum, or the visible points that face the light (default: box; visible for hybrids)")
+        ->check(CLI::IsMember({"box", "camera", "visible"}));
     verb.add_option("--size", options.size, "WIDTHxHEIGHT of the image in pixels")->capture_default_str();
     verb.add_option("--bias", options.bias,
                     "of the shadow test, in world units (default: rounding of the depth range)");
@@ -69,8 +74,23 @@ void add_view_options(CLI::App& verb, ViewOptions& options) {
         ->capture_default_str();
 }
 
-View view_of(const ViewOptions& options, int shadow_map, const Scene& scene) {
+const char* to_string(LightFit fit) {
+    switch (fit) {
+    case LightFit::camera_frustum:
+        return "camera";
+    case LightFit::visible_points:
+        return "visible";
+    case LightFit::seen_box:
+        break;
+    }
+    return "box";
+}
+
+View view_of(const ViewOptions& options, int shadow_map, const Scene& scene, LightFit fit) {
     ViewSettings settings;
+    settings.light_fit = fit;
+    for (const LightFit named : {LightFit::seen_box, LightFit::camera_frustum, LightFit::visible_points})
+        if (options.light_fit == to_string(named)) settings.light_fit = named;
     std::tie(settings.width, settings.height) = parse_size(options.size, "--size");
     const bool has_area = settings.width > 0 && settings.height > 0; // else require_valid says so
     Camera camera = default_camera(scene.bounds(), has_area ? static_cast<float>(settings.width) /

@@ -16,6 +16,7 @@ struct ViewOptions {
     std::string camera_position, camera_direction, light_direction, light_position, size = "1024x768";
     std::optional<float> fov, near, far;
     float light_fov = 90, bias = 0;
+    std::string light_fit; ///< empty: the verb's default
 };
 
 /// All but SCENE and --shadow-map.
@@ -27,8 +28,13 @@ struct View {
     ViewSettings settings;
 };
 
-/// Throws Error naming the option that is malformed, out of range, or leaves no direction to look in.
-View view_of(const ViewOptions& options, int shadow_map, const Scene& scene);
+/// Throws Error naming the option that is malformed, out of range, or leaves no direction to look in. `fit`
+/// is what a directional light's map covers unless the options say.
+View view_of(const ViewOptions& options, int shadow_map, const Scene& scene,
+             LightFit fit = LightFit::seen_box);
+
+/// "box", "camera", "visible": what --light-fit takes.
+const char* to_string(LightFit fit);
 
 /// The demo scene for an empty path. Prints the file's warnings.
 Scene scene_of(const std::string& path);
