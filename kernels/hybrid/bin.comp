@@ -17,8 +17,10 @@ void main() {
     ivec2 first = from / side, last = to / side, texels = to - from + 1;
     bool small = all(lessThanEqual(last - first, ivec2(1))) && texels.x * texels.y <= 64;
     float nearest = min(min(t.p[0].z, t.p[1].z), t.p[2].z) - t.margin_z;
-    for (int y = first.y; y <= last.y; ++y)
-        for (int x = first.x; x <= last.x; ++x) {
+    int y = first.y, left = 0;
+    for (; y <= last.y; ++y) {
+        int x = first.x;
+        for (; x <= last.x; ++x) {
             uint bin = bin_index(ivec2(x, y));
             if (bin_farthest[bin] == 0u || !can_be_hit(nearest, bin_farthest[bin])) continue;
             if (small) {
@@ -30,4 +32,7 @@ void main() {
             uint pair = atomicAdd(pair_count, 1u);
             if (pair < space.size.w) pairs[pair] = uvec2(triangle, bin);
         }
+        if (x <= last.x) ++left;
+    }
+    if (y <= last.y || left > 0) incomplete = 1u;
 }

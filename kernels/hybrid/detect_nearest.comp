@@ -10,12 +10,13 @@ layout(std430, binding = 11) readonly buffer NearestOf { Nearest nearest_of[]; }
 uint detect(Asking asking) {
     float end = asking.origin.z - space.receiver.z;
     uint state = nearest_of[asking.slot].next - space.receiver.y > end ? LIT : UNCERTAIN;
-    for (int i = 0; i < KEPT; ++i) {
+    int i = 0;
+    for (; i < KEPT && nearest_of[asking.slot].triangles[i] != NO_NODE; ++i) {
         uint triangle = nearest_of[asking.slot].triangles[i];
-        if (triangle == NO_NODE) break;
         uint hit = hit_triangle(triangle, asking.origin);
         if (hit == 1u) return SHADOWED;
         if (hit == 2u) state = UNCERTAIN;
     }
+    if (i < KEPT && nearest_of[asking.slot].triangles[i] != NO_NODE) state = UNCERTAIN; // the loop was left
     return state == LIT || !under_sheet(asking.slot, asking.texel, end - space.receiver.y) ? state : SHADOWED;
 }

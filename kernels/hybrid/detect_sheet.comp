@@ -11,18 +11,16 @@ bool under_nothing(Asking asking, float end) {
     vec2 centre = texel_centre(asking.texel);
     uint number = uint(world_and_triangle[asking.pixel].w) - 1u;
     Own own = own_triangle(solid(number), asking.origin, centre);
-    int length = 0;
-    for (uint node = heads[asking.slot]; node != NO_NODE; node = nodes[node].next) {
-        if (++length > LONGEST) return false;
-        if (nodes[node].nearest - space.receiver.y > end) continue;
-        uint triangle = nodes[node].triangle;
+    Walk walk = first_above(asking.slot, end + space.receiver.y);
+    for (; is_on(walk); walk = next_above(walk, end + space.receiver.y)) {
+        uint triangle = nodes[walk.node].triangle;
         if (!own.usable) return false;
         if (triangle == number) continue;
         Solid t = solid(triangle);
         vec4 plane = plane_of(t, centre);
         if (!(known_well(plane, t) && nowhere_above(own, t, plane) || beside(own, t, plane, asking.origin.xy))) return false;
     }
-    return true;
+    return is_complete(walk);
 }
 
 uint detect(Asking asking) {

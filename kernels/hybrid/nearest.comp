@@ -26,9 +26,8 @@ void main() {
     }
     nearest.next = 1.0 / 0.0;
     int length = 0;
-    for (uint node = heads[slot]; node != NO_NODE; node = nodes[node].next) {
-        if (++length > LONGEST) nearest.next = -1.0 / 0.0; // whatever else there is
-        if (length > LONGEST) break;
+    uint node = heads[slot];
+    for (; node != NO_NODE && length < LONGEST; node = nodes[node].next, ++length) {
         uint triangle = nodes[node].triangle;
         float depth = nodes[node].nearest;
         // Sink it into the sorted eight; what falls out is the ninth so far.
@@ -44,5 +43,6 @@ void main() {
         }
         nearest.next = min(nearest.next, depth);
     }
+    if (node != NO_NODE) nearest.next = -1.0 / 0.0; // whatever else there is
     nearest_of[slot] = nearest;
 }

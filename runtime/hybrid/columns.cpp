@@ -9,9 +9,9 @@
 namespace gnomon {
 namespace {
 
-/// Texels on a side of a bin: small enough to tell where receivers are, and no more than 128 bins across,
-/// which a thread may have to walk (kernels/hybrid/columns.glslh, MOST_TURNS).
-std::uint32_t bin_side(std::uint32_t map) { return std::max(8u, (map + 127) / 128); }
+/// Texels on a side of a bin: small enough to tell where receivers are, and no more than 64 bins across, all
+/// of which one thread may have to walk.
+std::uint32_t bin_side(std::uint32_t map) { return std::max(8u, (map + 63) / 64); }
 
 constexpr std::size_t node_bytes = 12; // kernels/hybrid/node.glslh
 
@@ -20,7 +20,7 @@ constexpr std::uint32_t longest_list = 2048;
 constexpr double most_turns = 1 << 24;
 
 struct Counters {
-    std::uint32_t nodes = 0, pairs = 0;
+    std::uint32_t nodes = 0, pairs = 0, incomplete = 0;
 };
 
 } // namespace
@@ -78,6 +78,7 @@ bool Columns::bin_all() {
                       Resources::linear(counted.pairs));
     counted = r_.device.read<Counters>(counters_).front();
     node_count_ = counted.nodes;
+    incomplete_ = counted.incomplete != 0;
     if (counted.nodes <= node_capacity_ && counted.pairs <= pair_capacity_) return true;
     // Room for what was asked, and a little for the next frame. The counts are exact where the pairs fitted.
     if (counted.pairs > pair_capacity_) {
@@ -107,8 +108,9 @@ void Columns::build() {
     const double pixels = static_cast<double>(r_.pixels()), texels = std::pow(r_.frame.size.z, 2);
     if (static_cast<double>(node_count_) * std::max(1.0, pixels / texels) > most_turns) {
         host_space_.bins.z = static_cast<std::uint32_t>(std::max(16.0, most_turns / pixels));
-        r_.device.write(space, gpu::bytes_of(host_space_));
     }
+    host_space_.bins.w = incomplete_ ? 1 : 0; // then no column says anything
+    r_.device.write(space, gpu::bytes_of(host_space_));
 }
 
 std::size_t Columns::bytes() const {

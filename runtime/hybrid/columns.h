@@ -28,6 +28,7 @@ private:
     gpu::Kernel clear_, mark_, bin_, fill_;
     gpu::Buffer bin_farthest_, masks_, counters_, pairs_;
     std::size_t node_count_ = 0, node_capacity_ = 0, pair_capacity_ = 0;
+    bool incomplete_ = false; ///< the driver left a loop: lists lack entries
     shared::ColumnSpace host_space_{};
     bool bin_all(); ///< false: there was too little room, now there is enough
 };
