@@ -49,7 +49,7 @@ const std::vector<Family>& catalogue() {
         std::vector<Family> all{
             revectorize_family(),     nsm_family(),         smsr_family(),         rsmss_family(),
             rbsm_silhouette_family(), rbsm_filter_family(), conservative_family(), adjacency_family(),
-            certainty_family()};
+            certainty_family(),       column_family()};
         for (Family& family : integral_families()) all.push_back(std::move(family));
         for ([[maybe_unused]] const Family& family : all)
             for ([[maybe_unused]] const Case& c : family.cases)

@@ -26,6 +26,7 @@ Family rbsm_filter_family();
 Family conservative_family();            // casegen/conservative.cpp
 Family adjacency_family();               // casegen/adjacency.cpp
 Family certainty_family();               // casegen/certainty.cpp
+Family column_family();                  // casegen/column.cpp
 std::vector<Family> integral_families(); // casegen/integral/
 
 const std::vector<Family>& catalogue();

@@ -8,11 +8,12 @@ vec4 column_plane(vec3 a, vec3 b, vec3 c, vec2 at, float half_side, float margin
     precise float area = ab.x * -ca.y + ab.y * ca.x;
     vec3 sides = abs(vec3(ab.x, bc.x, ca.x)) + abs(vec3(ab.y, bc.y, ca.y));
     float longest = max(max(sides.x, sides.y), sides.z);
-    if (!(abs(area) > 64.0 * margin * longest)) return vec4(0.0, 0.0, a.z, 1.0 / 0.0);
+    if (!(abs(area) > 64.0 * margin * longest)) return vec4(0.0, 0.0, 0.0, 1.0 / 0.0);
     // Areas of the triangles that each side makes with the point: the weights, times the area.
     precise vec3 parts = vec3(pa.x * ab.y - pa.y * ab.x, pb.x * bc.y - pb.y * bc.x, pc.x * ca.y - pc.y * ca.x);
     float weights = (dot(abs(parts), vec3(1.0)) + half_side * (sides.x + sides.y + sides.z)) / abs(area);
     precise vec2 gradient = vec2(ca.z * ab.y - ab.z * ca.y, ab.z * ca.x - ca.z * ab.x) / area;
     precise float z = a.z - (gradient.x * pa.x + gradient.y * pa.y);
-    return vec4(gradient, z, 2.0 * margin * (abs(gradient.x) + abs(gradient.y)) * max(weights, 1.0));
+    float wrong = 2.0 * margin * (abs(gradient.x) + abs(gradient.y)) * max(weights, 1.0);
+    return abs(z) + wrong < 1.0 / 0.0 ? vec4(gradient, z, wrong) : vec4(0.0, 0.0, 0.0, 1.0 / 0.0);
 }

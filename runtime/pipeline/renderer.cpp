@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstring>
 #include <map>
+#include <set>
 
 namespace gnomon {
 namespace {
@@ -31,6 +32,7 @@ struct Renderer::Impl : Resources {
     std::map<std::string, gpu::Kernel> visibility_kernels; // by technique and its texts
     LazyTracer tracer;
     std::map<std::string, Hybrid> hybrids;
+    std::set<std::string> classified; // hybrids whose states are of this camera and light
 
     gpu::Buffer depth_texels, left_out, colours;
     HybridFrame hybrid_frame;     // of the last frame
@@ -239,6 +241,7 @@ struct Renderer::Impl : Resources {
         }
         case Technique::Kind::hybrid: {
             hybrid_frame = hybrid(technique).run(watch);
+            classified.insert(key_of(technique));
             return 0;
         }
         case Technique::Kind::automatic:
@@ -277,6 +280,7 @@ void Renderer::look(const Camera& camera, const Light& light) {
     r.host_receivers.clear();
     r.host_surfaces = {};
     r.choice.reset();
+    r.classified.clear();
 }
 
 Rendering Renderer::render(const Technique& asked, int frames) {
@@ -363,7 +367,7 @@ double Renderer::time_first_visibility(const Technique& technique) {
 std::vector<PixelState> Renderer::states(const Technique& technique) {
     Impl& r = *impl_;
     const Technique hybrid = r.chosen(technique);
-    if (!r.hybrids.contains(Impl::key_of(hybrid))) visibility(hybrid);
+    if (!r.classified.contains(Impl::key_of(hybrid))) visibility(hybrid);
     return r.hybrids.at(Impl::key_of(hybrid)).states();
 }
 
