@@ -99,8 +99,6 @@ std::size_t judge(gpu::Device& device, const Scene& scene, const View& view,
         const std::vector<PixelState> states = renderer.states({Technique::Kind::hybrid, name});
         Tally tally;
         std::size_t first = states.size();
-        if (getenv("PIX"))
-            fmt::print("PIX {}\n", static_cast<int>(states[static_cast<std::size_t>(atoi(getenv("PIX")))]));
         for (std::size_t i = 0; i < states.size(); ++i) {
             if (surfaces.facing[i] == 0) continue;
             ++tally.facing;
@@ -118,11 +116,6 @@ std::size_t judge(gpu::Device& device, const Scene& scene, const View& view,
         if (tally.wrong == 0 || !find_hybrid(name)->sound) continue;
         bad += tally.wrong;
         const shared::Receiver& receiver = renderer.receivers()[first];
-        fmt::print("  state {} width {}\n", static_cast<int>(states[first]), view.settings.width);
-        fmt::print("  ray from {:a}, {:a}, {:a} along {:a}, {:a}, {:a}\n", receiver.origin.x,
-                   receiver.origin.y, receiver.origin.z, -view.light.direction.x, -view.light.direction.y,
-                   -view.light.direction.z);
-        tell_hits(scene, glm::dvec3(receiver.origin), glm::dvec3(-view.light.direction));
         const auto column = first % static_cast<std::size_t>(view.settings.width);
         fmt::print("{} {}: {} is certain and wrong in {} pixels, first at {}, {}: {} (map {}, fit {}, ray "
                    "begin {})\n",
@@ -130,6 +123,10 @@ std::size_t judge(gpu::Device& device, const Scene& scene, const View& view,
                    first / static_cast<std::size_t>(view.settings.width),
                    states[first] == PixelState::lit ? "lit" : "shadowed", view.settings.shadow_map,
                    static_cast<int>(view.settings.light_fit), view.settings.ray_begin);
+        fmt::print("  ray from {:a}, {:a}, {:a} along {:a}, {:a}, {:a}\n", receiver.origin.x,
+                   receiver.origin.y, receiver.origin.z, -view.light.direction.x, -view.light.direction.y,
+                   -view.light.direction.z);
+        tell_hits(scene, glm::dvec3(receiver.origin), glm::dvec3(-view.light.direction));
     }
     return bad;
 }

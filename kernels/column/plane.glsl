@@ -15,5 +15,10 @@ vec4 column_plane(vec3 a, vec3 b, vec3 c, vec2 at, float half_side, float margin
     precise vec2 gradient = vec2(ca.z * ab.y - ab.z * ca.y, ab.z * ca.x - ca.z * ab.x) / area;
     precise float z = a.z - (gradient.x * pa.x + gradient.y * pa.y);
     float wrong = 2.0 * margin * (abs(gradient.x) + abs(gradient.y)) * max(weights, 1.0);
+    // And the arithmetic's own, here and in a ray tracer: products of long sides, whose difference is the area of a thin triangle, carry
+    // 2^-24 of themselves into the slope, and the slope takes it as far as the farthest corner. Three times what was met.
+    float farthest = max(max(abs(pa.x) + abs(pa.y), abs(pb.x) + abs(pb.y)), abs(pc.x) + abs(pc.y)) + half_side;
+    float rise = max(max(a.z, b.z), c.z) - min(min(a.z, b.z), c.z);
+    wrong += 1.1920928955078125e-7 * rise * (longest / abs(area)) * farthest; // 2^-23
     return abs(z) + wrong < 1.0 / 0.0 ? vec4(gradient, z, wrong) : vec4(0.0, 0.0, 0.0, 1.0 / 0.0);
 }

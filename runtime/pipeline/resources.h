@@ -43,9 +43,8 @@ struct Resources {
         const auto rows = static_cast<std::uint32_t>((n + row - 1) / row);
         return {.threads = {static_cast<std::uint32_t>(std::min(n, row)), std::max(rows, 1u), 1}};
     }
-    std::uint32_t tiles() const {
-        return ((frame.size.x + 15) / 16) * ((frame.size.y + 15) / 16);
-    } ///< hybrid/tile.glslh
+    /// Tiles of 16 x 16 pixels: kernels/hybrid/tile.glslh.
+    std::uint32_t tiles() const { return ((frame.size.x + 15) / 16) * ((frame.size.y + 15) / 16); }
     gpu::Dispatch per_pixel() const { return {.threads = {frame.size.x, frame.size.y, 1}}; }
 };
 

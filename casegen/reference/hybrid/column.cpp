@@ -97,6 +97,18 @@ std::array<T, 4> plane(const std::array<T, 16>& n) {
     found[2] = found[2] + z[0];
     const T steep = magnitude(found[0]) + magnitude(found[1]);
     found[3] = T(2) * n[12] * steep * (largest < T(1) ? T(1) : largest);
+    // The arithmetic's own error: 2^-23 of the rise, times the longest side and the farthest corner over the
+    // area.
+    const auto greater = [](const T& p, const T& q) { return p < q ? q : p; };
+    T longest(0), farthest(0), rise(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t k = (i + 1) % 3;
+        longest = greater(longest, magnitude(x[i] - x[k]) + magnitude(y[i] - y[k]));
+        farthest = greater(farthest, magnitude(x[i]) + magnitude(y[i]));
+        rise = greater(rise, magnitude(z[i] - z[k]));
+    }
+    const T area = magnitude((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]));
+    found[3] = found[3] + T(0x1p-23) * rise * (longest / area) * (farthest + n[11]);
     return found;
 }
 
