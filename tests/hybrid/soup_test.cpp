@@ -74,10 +74,18 @@ TEST(soup, certain_pixels_of_minimal_scenes_agree_with_exact_rays) {
     Sums sums;
     for (std::uint64_t index = 0; index < files.size(); ++index) {
         const Scene scene = load_scene(files[index]);
-        View view = default_view(scene, 64, 64, 24);
-        view.camera.position = {2.5f, 4, 3};
-        view.camera.direction = {-0.6f, -1, -0.7f};
-        look_at(sums, scene, view, index, files[index].filename().string());
+        for (const int map : {24, 1000}) {
+            View view = default_view(scene, 64, 64, map);
+            view.camera.position = {2.5f, 4, 3};
+            view.camera.direction = {-0.6f, -1, -0.7f};
+            look_at(sums, scene, view, index,
+                    fmt::format("{}, map {}", files[index].filename().string(), map));
+            // Near, so that thin triangles fill pixels.
+            view.camera.position = {0.1f, 1.2f, 0};
+            view.camera.direction = {-0.01f, -1, 0.02f};
+            look_at(sums, scene, view, index + 100,
+                    fmt::format("{} from near, map {}", files[index].filename().string(), map));
+        }
     }
     sums.expect_certain_of(0.2, 0.005);
 }
