@@ -121,8 +121,8 @@ Solid solid_of(const Arguments& arguments) {
 std::array<double, 13> magnitudes_of(const Arguments& arguments) {
     const auto& n = arguments.numbers;
     double across = 0, along = 0;
-    for (const std::size_t i : {0, 1, 3, 4, 6, 7, 9, 10}) across = std::max(across, std::abs(n[i]));
-    for (const std::size_t i : {2, 5, 8}) along = std::max(along, std::abs(n[i]));
+    for (const std::size_t i : {0u, 1u, 3u, 4u, 6u, 7u, 9u, 10u}) across = std::max(across, std::abs(n[i]));
+    for (const std::size_t i : {2u, 5u, 8u}) along = std::max(along, std::abs(n[i]));
     std::array<double, 13> magnitudes;
     magnitudes.fill(across);
     magnitudes[2] = magnitudes[5] = magnitudes[8] = along;
