@@ -1,6 +1,5 @@
 #include "casegen/sampling.h"
 
-#include "casegen/csv.h"
 #include "casegen/mask_families.h"
 
 #include <algorithm>
@@ -38,6 +37,8 @@ double draw_float(Random& random, double lower, double upper) {
     return std::clamp(drawn, lower, upper); // rounding to float may leave the interval
 }
 
+} // namespace
+
 std::vector<std::uint32_t> hostile_words(Scalar scalar, const Domain& domain, std::size_t component) {
     std::vector<std::uint32_t> words;
     const auto add = [&](double number) { words.push_back(narrow(scalar, number)); };
@@ -71,28 +72,34 @@ std::vector<std::uint32_t> hostile_words(Scalar scalar, const Domain& domain, st
     return words;
 }
 
-} // namespace
-
 EdgePool make_edge_pool(std::uint64_t seed) {
+    std::vector<Mask> masks;
+    for (NamedMask& named : mask_corpus(seed, members_per_family, mask_size))
+        masks.push_back(std::move(named.mask));
+    return edge_pool_of(std::move(masks));
+}
+
+EdgePool edge_pool_of(std::vector<Mask> masks) {
     EdgePool pool;
-    for (NamedMask& named : mask_corpus(seed, members_per_family, mask_size)) {
-        const Mask& mask = named.mask;
-        const auto index = static_cast<std::uint16_t>(pool.masks.size());
+    for (std::size_t n = 0; n < masks.size(); ++n) {
+        const Mask& mask = masks[n];
+        pool.side = std::max({pool.side, mask.width, mask.height});
         for (int y = 0; y < mask.height; ++y)
             for (int x = 0; x < mask.width; ++x)
                 if (reference::discontinuity(mask, {x, y}) != glm::uvec2(0)) {
                     const reference::Edge edge = reference::edge(mask, {x, y});
-                    pool.entries.push_back({index, glm::i8vec2(x, y), glm::u8vec2(edge.sides),
-                                            glm::i8vec4(edge.reach), glm::i8vec2(edge.type), edge.dominant,
-                                            edge.lit});
+                    pool.entries.push_back({static_cast<std::uint16_t>(n), glm::i8vec2(x, y),
+                                            glm::u8vec2(edge.sides), glm::i8vec4(edge.reach),
+                                            glm::i8vec2(edge.type), edge.dominant, edge.lit});
                 }
-        pool.masks.push_back(std::move(named.mask));
     }
+    pool.masks = std::move(masks);
     return pool;
 }
 
 Sampler::Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePool> pool,
-                 const std::filesystem::path& pins, const std::filesystem::path& worst)
+                 const std::filesystem::path& pins, const std::filesystem::path& worst,
+                 std::span<const CsvInput> regressions)
     : case_(c), seed_(seed), pool_(std::move(pool)) {
     for (std::size_t i = 0; i < c.parameters.size(); ++i) {
         const Parameter& parameter = c.parameters[i];
@@ -103,13 +110,13 @@ Sampler::Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePo
         const EdgePool::Entry& entry = pool_->entries[i];
         if (applies(case_, entry.edge())) chosen_.push_back(i);
     }
-    for (const std::filesystem::path& file : {worst, pins}) {
-        if (file.empty() || !std::filesystem::exists(file)) continue;
-        for (CsvInput& row : read_inputs(c, file)) {
-            pinned_.push_back(std::move(row.words));
-            if (c.reference.takes_mask) pinned_masks_.push_back(std::move(row.mask));
-        }
-    }
+    const auto pin = [&](const CsvInput& row) {
+        pinned_.push_back(row.words);
+        if (c.reference.takes_mask) pinned_masks_.push_back(row.mask);
+    };
+    std::ranges::for_each(regressions, pin);
+    for (const std::filesystem::path& file : {worst, pins})
+        if (!file.empty() && std::filesystem::exists(file)) std::ranges::for_each(read_inputs(c, file), pin);
     make_hostile();
 }
 
@@ -222,7 +229,7 @@ void Sampler::draw_slot(Random& random, const Slot& slot, std::span<std::uint32_
     for (std::size_t k = 0; k < components; ++k) {
         double number = 0;
         if (slot.is_texel)
-            number = random.between(-2, mask_size + 1);
+            number = random.between(-2, pool_->side + 1);
         else if (slot.type.scalar == Scalar::float32)
             number = draw_float(random, domain.lower, domain.upper);
         else

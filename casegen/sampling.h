@@ -3,6 +3,7 @@
 // is drawn, on any machine and number of threads; worst ones and pins move the others back and change none.
 #pragma once
 
+#include "casegen/csv.h"
 #include "casegen/kernel_case.h"
 #include "casegen/random.h"
 #include "runtime/files.h"
@@ -30,10 +31,15 @@ struct EdgePool {
             return {glm::uvec2(sides), glm::ivec4(reach), glm::ivec2(type), dominant, lit};
         }
     };
-    std::vector<Mask> masks;
+    std::vector<Mask> masks;    ///< of at most 64 texels a side, at most 65536 of them
     std::vector<Entry> entries; ///< lit and shadowed texels with at least one side that differs
+    int side = 0;               ///< of the largest mask
 };
 EdgePool make_edge_pool(std::uint64_t seed);
+EdgePool edge_pool_of(std::vector<Mask> masks);
+
+/// A component's boundary values: its domain's ends and their neighbours, zeros, denormals, infinities, NaN.
+std::vector<std::uint32_t> hostile_words(Scalar scalar, const Domain& domain, std::size_t component);
 
 /// A place near a locus of a generator: the locus's number and the step of its distance.
 struct Place {
@@ -48,10 +54,11 @@ void draw_generated(const Case& c, Random& random, const std::optional<Place>& p
 /// One case's samples, drawn on demand by index.
 class Sampler {
 public:
-    /// `worst`, `pins`: CSV files with the case's columns whose rows come first, or paths where no file is.
-    /// Throws Error naming file, row and column if one is malformed.
+    /// `regressions` come first of all. `worst`, `pins`: CSV files with the case's columns whose rows come
+    /// next, or paths where no file is. Throws Error naming file, row and column if one is malformed.
     Sampler(const Case& c, std::uint64_t seed, std::shared_ptr<const EdgePool> pool,
-            const std::filesystem::path& pins = {}, const std::filesystem::path& worst = {});
+            const std::filesystem::path& pins = {}, const std::filesystem::path& worst = {},
+            std::span<const CsvInput> regressions = {});
 
     struct Sample {
         std::vector<std::uint32_t> words; ///< word_count(case) of them
@@ -71,7 +78,7 @@ public:
     }
     static constexpr std::size_t stiff_repeats = 6;
 
-    /// How many of the first samples are read from files: they are the worst ones, then the pins.
+    /// How many of the first samples are read from files: regressions, the worst ones, then the pins.
     std::size_t pinned_count() const { return pinned_.size(); }
 
     using Place = gnomon::Place;

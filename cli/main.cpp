@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
     cli::add_atlas(app, common, exit_code);
     cli::add_bench(app, common, exit_code);
     cli::add_worst(app, common, exit_code);
+    cli::add_fuzz(app, common, exit_code);
     cli::add_reproduce(app, common);
     cli::add_demo(app, common, exit_code);
     cli::add_devices(app, common);

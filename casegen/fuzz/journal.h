@@ -1,0 +1,40 @@
+// What a campaign has done, on disk, a line per unit: written before the next unit begins, read again if the
+// campaign was interrupted. A line that was cut short by the interruption is as good as none.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gnomon::fuzz {
+
+class Journal {
+public:
+    struct Line {
+        std::uint64_t unit = 0;
+        std::string text;
+    };
+
+    Journal() = default; ///< keeps nothing
+    /// Opens or begins the file. Throws Error if it cannot, or if the file is no journal.
+    explicit Journal(const std::filesystem::path& path);
+
+    const std::vector<Line>& lines() const { return lines_; } ///< of the run that was interrupted
+    /// Throws Error (disk full).
+    void add(const Line& line);
+    /// The campaign is over: removes the file.
+    void finish();
+
+private:
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    std::filesystem::path path_;
+    std::vector<Line> lines_;
+    std::unique_ptr<std::FILE, Close> file_;
+};
+
+} // namespace gnomon::fuzz

@@ -1,0 +1,109 @@
+#include "casegen/fuzz/message.h"
+
+#include "casegen/csv.h"
+
+#include <nlohmann/json.hpp>
+
+namespace gnomon::fuzz {
+namespace {
+
+using Json = nlohmann::json;
+
+Json json_of(const Input& input) {
+    Json object{{"words", input.words}};
+    if (!input.mask.texels.empty())
+        object["mask"] = {format_mask(input.mask, '/'), to_string(input.mask.outside)};
+    return object;
+}
+
+Input input_of(const Json& object) {
+    Input input{object.at("words").get<std::vector<std::uint32_t>>(), {}};
+    if (object.contains("mask")) {
+        input.mask = parse_mask(object.at("mask").at(0).get<std::string>(), '/', "mask");
+        input.mask.outside = parse_outside(object.at("mask").at(1).get<std::string>(), "outside");
+    }
+    return input;
+}
+
+Json json_of(const Found& found) {
+    const Regression& r = found.regression;
+    return {{"kernel", r.kernel}, {"failure", r.failure},    {"input", json_of(r.input)},
+            {"got", r.got},       {"want", r.want},          {"allowed", r.allowed},
+            {"found", r.found},   {"on_file", found.on_file}};
+}
+
+Found found_of(const Json& object) {
+    const auto text = [&](const char* field) { return object.at(field).get<std::string>(); };
+    return {{text("kernel"), text("failure"), input_of(object.at("input")), text("got"), text("want"),
+             text("allowed"), text("found")},
+            object.at("on_file").get<bool>()};
+}
+
+} // namespace
+
+std::string format_request(const Request& request) {
+    Json object{{"kernel", request.kernel}, {"round", request.round}, {"evaluations", request.evaluations},
+                {"shrink", request.shrink}, {"known", request.known}, {"tell_inputs", request.tell_inputs}};
+    if (request.part) object["part"] = {request.part->batch, request.part->begin, request.part->end};
+    return object.dump();
+}
+
+Request parse_request(const std::string& text) {
+    const Json object = Json::parse(text);
+    Request request{object.at("kernel").get<std::size_t>(),
+                    object.at("round").get<std::uint64_t>(),
+                    object.at("evaluations").get<std::size_t>(),
+                    object.at("shrink").get<bool>(),
+                    object.at("known").get<std::set<std::string>>(),
+                    {},
+                    object.at("tell_inputs").get<bool>()};
+    if (object.contains("part")) {
+        const Json& part = object.at("part");
+        request.part =
+            Part{part.at(0).get<std::size_t>(), part.at(1).get<std::size_t>(), part.at(2).get<std::size_t>()};
+    }
+    return request;
+}
+
+std::string format_reply(const Reply& reply) {
+    Json object = Json::object();
+    if (!reply.timeout.empty()) object["timeout"] = reply.timeout;
+    if (!reply.compile_error.empty()) object["compile_error"] = reply.compile_error;
+    if (!reply.inputs.empty()) {
+        object["inputs"] = Json::array();
+        for (const Input& input : reply.inputs) object["inputs"].push_back(json_of(input));
+    }
+    if (reply.result) {
+        Json found = Json::array();
+        for (const Found& each : reply.result->found) found.push_back(json_of(each));
+        object["result"] = {{"evaluations", reply.result->evaluations}, {"found", found}};
+        if (reply.result->worst_error > 0) {
+            object["result"]["worst_error"] = reply.result->worst_error;
+            object["result"]["worst"] = json_of(reply.result->worst);
+        }
+    }
+    return object.dump();
+}
+
+Reply parse_reply(const std::string& text) {
+    const Json object = Json::parse(text);
+    Reply reply;
+    reply.timeout = object.value("timeout", "");
+    reply.compile_error = object.value("compile_error", "");
+    if (object.contains("inputs"))
+        for (const Json& input : object.at("inputs")) reply.inputs.push_back(input_of(input));
+    if (object.contains("result")) {
+        const Json& from = object.at("result");
+        UnitResult result;
+        result.evaluations = from.at("evaluations").get<std::size_t>();
+        for (const Json& found : from.at("found")) result.found.push_back(found_of(found));
+        if (from.contains("worst")) {
+            result.worst_error = from.at("worst_error").get<double>();
+            result.worst = input_of(from.at("worst"));
+        }
+        reply.result = std::move(result);
+    }
+    return reply;
+}
+
+} // namespace gnomon::fuzz

@@ -1,0 +1,207 @@
+#include "casegen/fuzz/unit.h"
+
+#include "casegen/check.h"
+#include "casegen/fuzz/subject.h"
+#include "casegen/measure/inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace gnomon::fuzz {
+namespace {
+
+constexpr std::size_t batch_size = std::size_t{1} << 16, batches_per_unit = 4;
+constexpr std::size_t truth_batch_size = 512; ///< of references in multiprecision
+constexpr std::uint64_t units_per_epoch = 4;  ///< which share their masks
+
+std::size_t batch_size_of(const Case& c) { return c.reference.truth ? truth_batch_size : batch_size; }
+
+std::uint64_t unit_seed(std::uint64_t seed, const Unit& unit) {
+    return Random(seed ^ hash(unit.kernel->name), unit.round).bits();
+}
+
+Input input_of(const Records& records, std::size_t i) {
+    const std::span<const std::uint32_t> words = records.input(i);
+    return {{words.begin(), words.end()}, records.mask(i) ? *records.mask(i) : Mask()};
+}
+
+} // namespace
+
+std::size_t unit_size(const Case& c) { return batch_size_of(c) * batches_per_unit; }
+
+struct Fuzzer::Impl {
+    FuzzerOptions options;
+    glsl::Sources sources;
+    gpu::Device device;
+    std::map<const Case*, Subject> subjects;
+    std::map<std::uint64_t, std::shared_ptr<const EdgePool>> pools;
+
+    explicit Impl(FuzzerOptions given)
+        : options(std::move(given)), sources(kernel_sources(options.kernels)), device(options.device) {}
+
+    Subject& subject(const Case& c) {
+        const auto found = subjects.find(&c);
+        return found != subjects.end() ? found->second
+                                       : subjects.try_emplace(&c, c, sources, device).first->second;
+    }
+
+    std::shared_ptr<const EdgePool> pool(std::uint64_t epoch) {
+        std::shared_ptr<const EdgePool>& pool = pools[epoch];
+        if (!pool) pool = make_fuzz_pool(options.seed, epoch);
+        while (pools.size() > 2)
+            pools.erase(pools.begin()->first == epoch ? std::next(pools.begin()) : pools.begin());
+        return pool;
+    }
+};
+
+namespace {
+
+/// A unit's batches, one after the other: what each draws depends on what the ones before it were judged to
+/// be.
+class Batches {
+public:
+    Batches(const FuzzerOptions& options, const Unit& unit, std::shared_ptr<const EdgePool> pool)
+        : case_(*unit.kernel), unit_(unit), seed_(unit_seed(options.seed, unit)), worst_(case_) {
+        const auto file = [&](const std::filesystem::path& folder) {
+            return folder.empty() ? folder : folder / (case_.name + ".csv");
+        };
+        std::vector<Input> rows;
+        if (const auto found = options.regressions.find(case_.name); found != options.regressions.end())
+            for (const Regression& regression : found->second) rows.push_back(regression.input);
+        regressions_ = rows.size();
+        sampler_.emplace(case_, seed_, std::move(pool), file(options.pins), file(options.worst), rows);
+        draw_.emplace(case_, *sampler_, seed_);
+        // Regressions come first in every unit, so that each knows which failures are on file.
+        fixed_ = unit.round == 0 ? sampler_->fixed_count() : regressions_;
+    }
+
+    std::size_t total() const { return fixed_ + unit_.evaluations; }
+    bool is_regression(std::size_t index) const { return index < regressions_; }
+
+    Records batch(std::size_t number) const {
+        const std::size_t begin = number * batch_size_of(case_);
+        const std::size_t end = std::min(total(), begin + batch_size_of(case_));
+        Records records(case_);
+        records.reserve(end - begin);
+        for (std::size_t i = begin; i < end; ++i)
+            records.add_with([&](std::span<std::uint32_t> words) {
+                return i < fixed_ ? sampler_->draw(i, words) : (*draw_)(i - fixed_, worst_.rows(), words);
+            });
+        return records;
+    }
+
+    void add(const Records& records, std::size_t i, double error) {
+        const std::span<const std::uint32_t> words = records.input(i);
+        worst_.add({{words.begin(), words.end()}, records.mask(i), error, true});
+    }
+    /// Whether `add` would do anything.
+    bool matters(double error) const {
+        return error > 0 && (worst_.rows().size() < worst::most_rows || error >= worst_.rows().back().error);
+    }
+    const std::vector<worst::Row>& worst() const { return worst_.rows(); }
+
+private:
+    const Case& case_;
+    Unit unit_;
+    std::uint64_t seed_;
+    std::optional<Sampler> sampler_;
+    std::optional<Draw> draw_;
+    std::size_t regressions_ = 0, fixed_ = 0;
+    worst::Worst worst_;
+};
+
+/// Judges one batch: feeds the worst ones to those that follow, and returns the failures that nobody knew,
+/// each with the first record that shows it.
+std::map<std::string, std::size_t> judge_batch(Subject& subject, const Records& records,
+                                               const Outputs& outputs, Batches& batches,
+                                               const std::set<std::string>& known) {
+    const Case& c = subject.kernel();
+    const auto components = static_cast<std::size_t>(c.reference.result.components);
+    const std::vector<Truth> truths = measure::truths_on(c, records, 1, {});
+    std::map<std::string, std::size_t> firsts;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const Arguments with = arguments(c, records.input(i), records.mask(i));
+        const std::span<const std::uint32_t> got(outputs.words.data() + i * components, components);
+        const Agreement agreement = judge(c, with, got, truths.empty() ? nullptr : &truths[i]);
+        if (!agreement.pass) {
+            const std::string failure = failure_of(c, with, got, agreement);
+            if (!known.contains(failure)) firsts.try_emplace(failure, i);
+        } else if (batches.matters(agreement.error)) {
+            batches.add(records, i, agreement.error);
+        }
+    }
+    return firsts;
+}
+
+} // namespace
+
+Fuzzer::Fuzzer(FuzzerOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}
+Fuzzer::~Fuzzer() = default;
+
+UnitResult Fuzzer::run(const Unit& unit, const std::set<std::string>& known,
+                       std::atomic<std::uint32_t>& batch) {
+    const Case& c = *unit.kernel;
+    batch = 0;
+    Subject& subject = impl_->subject(c);
+    Batches batches(impl_->options, unit, impl_->pool(unit.round / units_per_epoch));
+    UnitResult result;
+    std::set<std::string> told = known;
+    const auto tell = [&](const Records& records, std::size_t i, const std::string& failure) {
+        const bool on_file = batches.is_regression(result.evaluations + i);
+        const Input input = input_of(records, i);
+        const std::string found =
+            fmt::format("fuzzing, seed {:#x}, round {}, as {}", impl_->options.seed, unit.round,
+                        format_call(c, input.words, c.reference.takes_mask ? &input.mask : nullptr));
+        told.insert(failure);
+        Regression regression{c.name, failure, input, {}, {}, to_string(c.tolerance), found};
+        if (!on_file && unit.shrink) regression = subject.shrunk(input, failure, found);
+        result.found.push_back({std::move(regression), on_file});
+    };
+    for (std::size_t number = 0; result.evaluations < batches.total(); ++number) {
+        batch = static_cast<std::uint32_t>(number);
+        const Records records = batches.batch(number);
+        const Outputs outputs = subject.run(records);
+        if (const std::string failure = failure_of(outputs); !failure.empty()) {
+            if (!told.contains(failure)) {
+                const std::size_t at = subject.isolate(records, failure);
+                tell(records, at < records.size() ? at : 0, failure);
+            }
+        } else {
+            for (const auto& [of_record, i] : judge_batch(subject, records, outputs, batches, told))
+                tell(records, i, of_record);
+        }
+        result.evaluations += records.size();
+    }
+    if (!batches.worst().empty()) {
+        const worst::Row& row = batches.worst().front();
+        result.worst_error = row.error;
+        result.worst = {row.words, row.mask ? *row.mask : Mask()};
+    }
+    return result;
+}
+
+std::vector<Input> Fuzzer::inputs(const Unit& unit, std::size_t batch) {
+    Subject& subject = impl_->subject(*unit.kernel);
+    Batches batches(impl_->options, unit, impl_->pool(unit.round / units_per_epoch));
+    for (std::size_t number = 0; number < batch; ++number) {
+        const Records records = batches.batch(number);
+        const Outputs outputs = subject.run(records);
+        if (failure_of(outputs).empty()) judge_batch(subject, records, outputs, batches, {});
+    }
+    const Records records = batches.batch(batch);
+    std::vector<Input> inputs;
+    for (std::size_t i = 0; i < records.size(); ++i) inputs.push_back(input_of(records, i));
+    return inputs;
+}
+
+void Fuzzer::dispatch(const Unit& unit, const Part& part) {
+    const std::vector<Input> all = inputs(unit, part.batch);
+    Records records(*unit.kernel);
+    for (std::size_t i = part.begin; i < std::min(part.end, all.size()); ++i)
+        records.add(all[i].words, &all[i].mask);
+    impl_->subject(*unit.kernel).run(records);
+}
+
+} // namespace gnomon::fuzz
