@@ -2,6 +2,7 @@
 
 #include "casegen/compare.h"
 #include "casegen/csv.h"
+#include "casegen/fuzz/regression.h"
 #include "casegen/standalone.h"
 #include "casegen/truths.h"
 #include "runtime/error.h"
@@ -13,6 +14,7 @@
 #include <atomic>
 #include <cmath>
 #include <future>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <thread>
@@ -39,11 +41,12 @@ Records draw_records(const Case& c, const Sampler& sampler, std::size_t begin, s
 }
 
 Prepared prepare(const Case& c, const CheckOptions& options, const glsl::Sources& sources,
-                 const std::shared_ptr<const EdgePool>& pool, std::uint64_t seed) {
+                 const std::shared_ptr<const EdgePool>& pool, std::uint64_t seed,
+                 std::span<const CsvInput> regressions) {
     const auto file = [&](const std::filesystem::path& folder) {
         return folder.empty() ? folder : folder / (c.name + ".csv");
     };
-    Sampler sampler(c, seed, pool, file(options.pins), file(options.worst));
+    Sampler sampler(c, seed, pool, file(options.pins), file(options.worst), regressions);
     const std::size_t samples = std::max(options.samples.value_or(default_samples(c)), sampler.fixed_count());
     Records first = draw_records(c, sampler, 0, std::min(samples, samples_per_dispatch));
     glsl::Spirv words = compile_standalone(c, sources); // last: glslang may still be building its tables
@@ -129,13 +132,13 @@ private:
 };
 
 CheckReport check_one(const Case& c, const CheckOptions& options, const glsl::Sources& sources,
-                      const std::shared_ptr<const EdgePool>& pool, WorkerDevice& device,
-                      const std::function<void(std::size_t)>& progress) {
+                      const std::shared_ptr<const EdgePool>& pool, std::span<const CsvInput> regressions,
+                      WorkerDevice& device, const std::function<void(std::size_t)>& progress) {
     CheckReport report;
     report.kernel = &c;
     report.seed = options.seed.value_or(default_seed(c));
     try {
-        const Prepared prepared = prepare(c, options, sources, pool, report.seed);
+        const Prepared prepared = prepare(c, options, sources, pool, report.seed, regressions);
         run(c, prepared, device.get(), report, progress);
         // What a division by zero gives is undefined: a driver may also leave it unwritten, or other each
         // time.
@@ -209,6 +212,10 @@ std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOp
                                const std::function<void(std::size_t)>& done) {
     require_kernels(options.kernels);
     const glsl::Sources sources = kernel_sources(options.kernels);
+    std::map<std::string, std::vector<CsvInput>> regressions;
+    for (const Case* c : cases) regressions[c->name]; // threads only look
+    for (const auto& [name, all] : fuzz::load_regressions(options.regressions))
+        for (const fuzz::Regression& regression : all) regressions[name].push_back(regression.input);
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     const std::size_t jobs = std::min<std::size_t>(options.jobs > 0 ? options.jobs : cores, cases.size());
     std::vector<CheckReport> reports(cases.size());
@@ -245,7 +252,8 @@ std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOp
             WorkerDevice device(options.device);
             for (std::size_t n = next++; n < cases.size(); n = next++) {
                 const std::size_t i = order[n];
-                reports[i] = check_one(*cases[i], options, sources, pool.get(), device, progress);
+                reports[i] = check_one(*cases[i], options, sources, pool.get(),
+                                       regressions.at(cases[i]->name), device, progress);
             }
         } catch (...) {
             const std::scoped_lock lock(mutex);

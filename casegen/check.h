@@ -19,6 +19,7 @@ struct CheckOptions {
     std::filesystem::path kernels; ///< the folder that holds <name>.glsl
     std::filesystem::path pins;    ///< the folder that holds <name>.csv; may be empty
     std::filesystem::path worst; ///< the same of the worst inputs ever found, which are run before all others
+    std::filesystem::path regressions; ///< the folder of what fuzzing found; may be empty
     /// Per kernel (default: default_samples); worst ones, pins, hostile and stiff values are run even if they
     /// are more.
     std::optional<std::size_t> samples;

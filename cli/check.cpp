@@ -4,6 +4,7 @@
 #include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/report.h"
+#include "cli/view.h"
 #include "runtime/error.h"
 #include "runtime/gpu/validation.h"
 
@@ -18,6 +19,7 @@ struct Options {
     std::string pattern, format = "text", seed;
     std::optional<std::size_t> samples;
     unsigned jobs = 0;
+    std::filesystem::path regressions = GNOMON_SOURCE_DIR "/fixtures/regressions";
 };
 
 int run(const Options& options, const Common& common, const std::string& replay) {
@@ -26,6 +28,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     check_options.kernels = common.kernels;
     check_options.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
     check_options.worst = GNOMON_SOURCE_DIR "/fixtures/worst";
+    check_options.regressions = options.regressions;
     check_options.samples = options.samples;
     check_options.seed = parse_seed(options.seed);
     check_options.device = common.device;
@@ -74,7 +77,12 @@ void add_check(CLI::App& app, Common& common, int& exit_code) {
     verb->add_option("--jobs", options->jobs,
                      "worker threads, each with its own device (default: one per core)")
         ->check(CLI::Range(0u, 256u));
-    verb->footer("Pins and hostile values (NaN, infinities, denormals, ranges' ends) come first, then random "
+    verb->add_option("--regressions", options->regressions,
+                     "folder of what gnomon fuzz found: run before all else")
+        ->check(not_empty())
+        ->capture_default_str();
+    verb->footer("Regressions, worst ones, pins and hostile values (NaN, infinities, denormals, ranges' "
+                 "ends) come first, then random "
                  "samples.\n\n"
                  "  gnomon check                          every kernel\n"
                  "  gnomon check 'smsr/case_*'            a family's cases\n"

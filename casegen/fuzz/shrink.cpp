@@ -1,11 +1,14 @@
 #include "casegen/fuzz/shrink.h"
 
+#include "casegen/random.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 
 namespace gnomon::fuzz {
 namespace {
@@ -218,6 +221,59 @@ void add_simpler_numbers(const Case& c, const Input& input, std::vector<Input>& 
         }
 }
 
+/// Any mask of at most 3x3 texels on which the kernel fails in the same way, at some points that know nothing
+/// of the input's: where a run's length decides, mask and point must change together, which no small step
+/// does. Nothing if there is none.
+std::optional<Input> on_a_small_mask(const Case& c, const Input& input, const StillFails& still_fails,
+                                     std::size_t at_once, Shrunk& result) {
+    constexpr int side = 3, points = 24;
+    const std::size_t texel = texel_word(c);
+    const std::vector<Word> words = words_of(c);
+    if (texel + 1 >= input.words.size()) return {};
+    std::vector<glm::ivec2> sizes;
+    for (int width = 1; width <= side; ++width)
+        for (int height = 1; height <= side; ++height) sizes.emplace_back(width, height);
+    std::ranges::stable_sort(sizes, {}, [](glm::ivec2 size) { return size.x * size.y; });
+    Random random(hash(c.name)); // always the same points: what is found depends on the failure alone
+    std::vector<Input> candidates;
+    std::optional<Input> found;
+    const auto ask = [&] {
+        const std::vector<bool> fails = still_fails(candidates);
+        result.tried += candidates.size();
+        const auto first = std::ranges::find(fails, true);
+        if (first != fails.end()) found = candidates[static_cast<std::size_t>(first - fails.begin())];
+        candidates.clear();
+    };
+    const auto add_points = [&](const Mask& mask, int x, int y) {
+        for (int n = 0; n < points; ++n) {
+            candidates.push_back({input.words, mask});
+            candidates.back().words[texel] = std::bit_cast<std::uint32_t>(x);
+            candidates.back().words[texel + 1] = std::bit_cast<std::uint32_t>(y);
+            for (std::size_t i = 0; i < words.size() && n > 0; ++i)
+                if (words[i].scalar == Scalar::float32)
+                    candidates.back().words[i] =
+                        narrow(Scalar::float32,
+                               words[i].domain->lower + (words[i].domain->upper - words[i].domain->lower) *
+                                                            (random.between(0, 256) / 256.0));
+        }
+    };
+    for (const glm::ivec2 size : sizes) {
+        for (const Outside outside : {Outside::clamp, Outside::lit, Outside::shadow})
+            for (std::uint32_t bits = 0; bits < 1u << (size.x * size.y); ++bits) {
+                Mask mask(size.x, size.y, true, outside);
+                for (std::size_t i = 0; i < mask.texels.size(); ++i)
+                    mask.texels[i] = static_cast<std::uint8_t>(bits >> i & 1u);
+                for (int y = 0; y < size.y; ++y)
+                    for (int x = 0; x < size.x; ++x) add_points(mask, x, y);
+                if (candidates.size() >= at_once) ask();
+                if (found) return found;
+            }
+        if (!candidates.empty()) ask();
+        if (found) return found;
+    }
+    return {};
+}
+
 } // namespace
 
 double complexity(const Case& c, const Input& input) {
@@ -235,6 +291,9 @@ double complexity(const Case& c, const Input& input) {
 
 Shrunk shrink(const Case& c, Input input, const StillFails& still_fails, const ShrinkOptions& options) {
     Shrunk result{std::move(input), 0, 0};
+    if (c.reference.takes_mask && result.input.mask.texels.size() > 9 && options.small_masks_at_once > 0)
+        if (auto small = on_a_small_mask(c, result.input, still_fails, options.small_masks_at_once, result))
+            result.input = std::move(*small);
     double least = complexity(c, result.input);
     std::size_t fruitless = 0;
     for (; result.rounds < options.rounds; ++result.rounds) {

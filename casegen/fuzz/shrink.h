@@ -22,6 +22,8 @@ using StillFails = std::function<std::vector<bool>(std::span<const Input> candid
 struct ShrinkOptions {
     std::size_t candidates = 8192; ///< at most so many at once
     std::size_t rounds = 100;      ///< at most so many times
+    /// All masks of up to 3x3 texels are tried before anything else, so many inputs at once; 0: they are not.
+    std::size_t small_masks_at_once = std::size_t{1} << 16;
 };
 
 struct Shrunk {

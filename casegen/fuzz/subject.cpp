@@ -78,8 +78,8 @@ Regression Subject::shrunk(const Input& input, const std::string& failure, const
         return fails;
     };
     ShrinkOptions options;
-    if (case_.reference.truth) options = {512, 40}; // a truth takes as long as a thousand kernels
-    if (of_dispatch) options = {64, 20};
+    if (case_.reference.truth) options = {512, 40, 0}; // a truth takes as long as a thousand kernels
+    if (of_dispatch) options = {64, 20, 0};
     const Shrunk simplest = shrink(case_, input, still_fails, options);
 
     Regression regression{case_.name, failure, simplest.input, {}, {}, to_string(case_.tolerance), found};
