@@ -30,7 +30,8 @@ std::string finding_text(const fuzz::Finding& finding, const std::string& replay
     const fuzz::Regression& r = finding.regression;
     const Case& c = find_case(r.kernel);
     std::string text = fmt::format("\nFAIL {}: {}{}\n", r.kernel, r.failure, finding.known ? " (known)" : "");
-    if (finding.file.empty()) return text + fmt::format("  {}\n", r.found);
+    if (finding.file.empty())
+        return text + fmt::format("  {}\n", r.found.empty() ? r.got : r.got + "\n  " + r.found);
     text += fmt::format("  {}\n", call_of(c, r.input));
     if (c.reference.takes_mask)
         for (int y = r.input.mask.height - 1; y >= 0; --y) {

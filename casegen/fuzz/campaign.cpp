@@ -179,9 +179,11 @@ private:
         ++report_.units;
         if (!reply.compile_error.empty()) {
             of_kernel.given_up = reply.compile_error;
-            findings_.add(
-                kernel, unit,
-                {{of_kernel.kernel->name, "compile error", {}, {}, {}, {}, reply.compile_error}, false});
+            Found found;
+            found.regression.kernel = of_kernel.kernel->name;
+            found.regression.failure = "compile error";
+            found.regression.got = reply.compile_error;
+            findings_.add(kernel, unit, found);
         }
         if (!reply.result) return;
         of_kernel.evaluations += reply.result->evaluations;
@@ -217,8 +219,12 @@ private:
         Reply reply;
         reply.result.emplace();
         Regression regression{c.name, failure, {}, how, "an end", to_string(c.tolerance), {}};
-        std::size_t begin = 0, end = unit_size(c);
-        if (survives(begin, end)) {
+        if (findings_.known(plan_.kernel_of(unit), unit).contains(failure)) { // once is enough: it takes long
+            reply.result->found.push_back({regression, false});
+            return reply;
+        }
+        const std::size_t all = unit_size(c);
+        if (survives(0, all)) {
             // Not the batch: so what shrinking tried. What was found is kept as it was met.
             request.part.reset();
             request.shrink = false;
@@ -228,6 +234,13 @@ private:
                                            outcome.batch, options_.seed);
             reply.result->found.push_back({regression, false});
             return reply;
+        }
+        // Survivals are cheap and deaths are not: ever longer beginnings, then halves of what the last one
+        // added.
+        std::size_t begin = 0, end = 1;
+        while (end < all && survives(begin, end)) {
+            begin = end;
+            end = std::min(all, 8 * end);
         }
         while (end - begin > 1) {
             const std::size_t middle = begin + (end - begin) / 2;

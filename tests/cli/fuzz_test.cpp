@@ -1,0 +1,224 @@
+// gnomon fuzz as people call it: what it finds, that it ends up in files that check replays, that it survives
+// whatever kernels do, and that an interrupted campaign goes on.
+#include "runtime/files.h"
+#include "tests/pipeline/cli.h"
+#include "tests/support/broken_kernels.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::BrokenKernels;
+using testing::ChangedKernels;
+using testing::expect_refused;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::Ran;
+using testing::run_gnomon;
+using testing::TemporaryFolder;
+
+/// A campaign with a folder of its own for what it finds.
+class fuzz_verb : public ::testing::Test {
+protected:
+    Ran fuzz(const testing::Arguments& arguments, const fs::path& kernels = testing::kernels_folder()) {
+        using testing::operator+;
+        return run_gnomon(
+            testing::Arguments{"fuzz"} + arguments +
+            testing::Arguments{"--kernels", kernels.string(), "--regressions", found_.string()});
+    }
+    Ran check(const std::string& pattern, const fs::path& kernels) {
+        return run_gnomon(
+            {"check", pattern, "--kernels", kernels.string(), "--regressions", found_.string()});
+    }
+    std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        if (fs::is_directory(found_))
+            for (const auto& entry : fs::directory_iterator(found_))
+                names.push_back(entry.path().filename().string());
+        std::ranges::sort(names);
+        return names;
+    }
+    nlohmann::json file(std::size_t n = 0) const { return testing::read_json(found_ / files().at(n)); }
+
+    TemporaryFolder folder_;
+    fs::path found_ = folder_.path() / "regressions";
+};
+
+TEST_F(fuzz_verb, passes_what_is_right_and_leaves_nothing_behind) {
+    const Ran ran = fuzz({"smsr/case_*", "--samples", "300000"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("0 failures"));
+    EXPECT_THAT(ran.out, HasSubstr("seed 0x1"));
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(fuzz_verb, shrinks_a_flipped_comparison_to_one_call_that_check_replays_for_ever) {
+    const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y > along_x");
+    const Ran ran = fuzz({"smsr/case_09", "--samples", "200000"}, changed.folder());
+    EXPECT_EQ(ran.exit_code, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("FAIL smsr/case_09: wrong"));
+    ASSERT_EQ(files().size(), 1u) << "one failure, one file";
+    const nlohmann::json input = file().at("input");
+    for (const auto& [column, value] : input.items())
+        EXPECT_THAT(value, ::testing::AnyOf("0x0p+0", "0x1p+0")) << column;
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(ran.out, match, std::regex("gnomon eval .*")));
+    EXPECT_EQ(testing::run_shell(match[0]).exit_code, 0);
+
+    const Ran red =
+        run_gnomon({"check", "smsr/case_09", "--samples", "1", "--kernels", changed.folder().string(),
+                    "--regressions", found_.string(), "--format", "json"});
+    EXPECT_EQ(red.exit_code, 1);
+    EXPECT_EQ(check("smsr/case_09", testing::kernels_folder()).exit_code, 0);
+
+    const Ran again = fuzz({"smsr/case_09", "--samples", "200000"}, changed.folder());
+    EXPECT_EQ(again.exit_code, 1);
+    EXPECT_THAT(again.out, HasSubstr("(known)"));
+    EXPECT_THAT(again.out, HasSubstr("1 failures, 0 of them new"));
+    EXPECT_EQ(files().size(), 1u);
+}
+
+TEST_F(fuzz_verb, shrinks_a_mask_to_three_by_three_texels) {
+    const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y < 0.98 * along_x");
+    const Ran ran = fuzz({"smsr/visibility", "--samples", "600000"}, changed.folder());
+    EXPECT_EQ(ran.exit_code, 1) << ran.out << ran.err;
+    ASSERT_GE(files().size(), 1u);
+    for (std::size_t i = 0; i < files().size(); ++i) {
+        const std::string mask = file(i).at("input").at("mask");
+        const auto rows = std::ranges::count(mask, '/') + 1;
+        EXPECT_LE(rows, 3) << mask;
+        EXPECT_LE(static_cast<long>(mask.size()) - (rows - 1), 3 * rows) << mask;
+    }
+}
+
+TEST_F(fuzz_verb, finds_the_same_on_any_number_of_jobs_and_in_shards) {
+    const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y < 0.98 * along_x");
+    const testing::Arguments campaign{"smsr", "--samples", "9000000"};
+    using testing::operator+;
+    const auto found_by = [&](const testing::Arguments& more) {
+        fs::remove_all(found_);
+        EXPECT_EQ(fuzz(campaign + more, changed.folder()).exit_code, 1);
+        std::map<std::string, std::string> texts;
+        for (const std::string& name : files()) texts[name] = read_file(found_ / name);
+        return texts;
+    };
+    const auto one = found_by({"--jobs", "1"});
+    EXPECT_GE(one.size(), 3u);
+    EXPECT_EQ(one, found_by({"--jobs", "3"}));
+    const auto first = found_by({"--shard", "1/2"}), second = found_by({"--shard", "2/2"});
+    const auto evaluations = [&](const testing::Arguments& more) {
+        const Ran ran = fuzz(campaign + more + testing::Arguments{"--format", "json"});
+        return nlohmann::json::parse(ran.out).at("evaluations").get<std::uint64_t>();
+    };
+    EXPECT_FALSE(first.empty() || second.empty());
+    EXPECT_EQ(evaluations({}), evaluations({"--shard", "1/2"}) + evaluations({"--shard", "2/2"}));
+}
+
+TEST_F(fuzz_verb, survives_kernels_that_do_not_end_and_narrows_them_to_one_call) {
+    const BrokenKernels broken("endless");
+    const Ran ran = fuzz({"smsr/case_0[13]", "--samples", "100000", "--time-limit", "1"}, broken.folder());
+    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("FAIL smsr/case_01: timeout"));
+    EXPECT_THAT(ran.out, HasSubstr("smsr_case_01(p = vec2("));
+    ASSERT_EQ(files().size(), 1u);
+    EXPECT_THAT(files()[0], HasSubstr("smsr.case_01.timeout"));
+    const nlohmann::json json = nlohmann::json::parse(
+        fuzz({"smsr/case_0[13]", "--samples", "100000", "--time-limit", "1", "--format", "json"},
+             broken.folder())
+            .out);
+    EXPECT_GE(json.at("kernels").at(1).at("evaluations").get<int>(), 50000) << "the other one went on";
+}
+
+TEST_F(fuzz_verb, survives_a_crash_and_says_of_which_kernel) {
+    const ChangedKernels changed("smsr/case_02.glsl", "return", "return 0.0 *");
+    // A sum so long that the compiler's recursion runs out of stack.
+    std::string text = "// Deep.\nfloat smsr_case_02(vec2 p) {\n    return p.x";
+    for (int i = 0; i < 200000; ++i) text += "+p.x";
+    write_file(changed.folder() / "smsr/case_02.glsl", text + ";\n}\n");
+    const Ran ran = fuzz({"smsr/case_0[23]", "--samples", "100000"}, changed.folder());
+    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("FAIL smsr/case_02: crash"));
+    EXPECT_THAT(ran.out, HasSubstr("died"));
+    EXPECT_THAT(ran.out, HasSubstr("smsr/case_03"));
+}
+
+TEST_F(fuzz_verb, names_every_way_to_fail) {
+    const std::vector<std::array<std::string, 3>> ways{
+        {"nan", "smsr/case_03", "NaN"},
+        {"nan_from_hostile_input", "smsr/case_02", "NaN, outside the domain"},
+        {"out_of_range", "smsr/case_01", "out of range"},
+        {"never_written", "smsr/case_01", "never written"},
+        {"unstable", "smsr/case_01", "unstable"},
+        {"syntax_error", "smsr/case_02", "compile error"}};
+    for (const auto& [name, kernel, failure] : ways) {
+        const BrokenKernels broken(name);
+        const Ran ran = fuzz({kernel, "--samples", "20000"}, broken.folder());
+        EXPECT_EQ(ran.exit_code, 1) << name << ran.out << ran.err;
+        EXPECT_THAT(ran.out, HasSubstr(fmt::format("FAIL {}: {}", kernel, failure))) << name;
+    }
+}
+
+TEST_F(fuzz_verb, goes_on_where_it_was_killed) {
+    const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y < 0.98 * along_x");
+    const std::string journal = (folder_.path() / "journal").string();
+    const testing::Arguments campaign{"smsr", "--samples", "9000000", "--jobs", "2", "--journal", journal};
+    using testing::operator+;
+    const auto killed = testing::run_shell(fmt::format(
+        "gnomon fuzz smsr --samples 9000000 --jobs 2 --journal '{0}' --kernels '{1}' --regressions '{2}' & "
+        "while ! [ -s '{0}' ] || [ $(wc -l < '{0}') -lt 8 ]; do sleep 0.02; done; kill -9 $!; wait $!",
+        journal, changed.folder().string(), found_.string()));
+    ASSERT_TRUE(fs::exists(journal)) << killed.err;
+    const Ran resumed = fuzz(campaign, changed.folder());
+    EXPECT_EQ(resumed.exit_code, 1) << resumed.err;
+    EXPECT_THAT(resumed.out, HasSubstr("of them before it was interrupted"));
+    EXPECT_FALSE(fs::exists(journal)) << "it has ended";
+    std::map<std::string, std::string> texts;
+    for (const std::string& name : files()) texts[name] = read_file(found_ / name);
+    fs::remove_all(found_);
+    const Ran whole = fuzz(campaign, changed.folder());
+    for (const std::string& name : files()) EXPECT_EQ(texts[name], read_file(found_ / name)) << name;
+    EXPECT_EQ(texts.size(), files().size());
+    // The tables too, but for the time.
+    EXPECT_EQ(resumed.out.substr(0, resumed.out.find("\nFAIL")),
+              whole.out.substr(0, whole.out.find("\nFAIL")));
+}
+
+TEST_F(fuzz_verb, ends_when_it_is_interrupted_and_keeps_its_journal) {
+    const std::string journal = (folder_.path() / "journal").string();
+    const Ran ran = testing::run_shell(
+        fmt::format("timeout -s INT 3 gnomon fuzz smsr --seconds 90 --journal '{}' --regressions '{}'",
+                    journal, found_.string()));
+    EXPECT_THAT(ran.out, HasSubstr("interrupted; the same command goes on from here"));
+    EXPECT_LT(ran.seconds, 60);
+    EXPECT_TRUE(fs::exists(journal));
+}
+
+TEST_F(fuzz_verb, refuses_what_it_cannot_do_with_one_line) {
+    const auto refused = [&](const testing::Arguments& arguments, const std::string& what) {
+        using testing::operator+;
+        expect_refused(folder_, testing::Arguments{"fuzz"} + arguments, what);
+    };
+    refused({"nothing_like_this"}, "nothing_like_this");
+    refused({"smsr", "--shard", "3/2"}, "--shard 3/2");
+    refused({"smsr", "--shard", "0/2"}, "--shard 0/2");
+    refused({"smsr", "--shard", "1/2x"}, "--shard 1/2x");
+    refused({"smsr", "--seed", "x"}, "x");
+    refused({"smsr", "--samples", "0"}, "--samples");
+    refused({"smsr", "--seconds", "1", "--samples", "5"}, "--s");
+    refused({"smsr", "--kernels", "/nowhere"}, "/nowhere");
+    fs::create_directories(found_);
+    write_file(found_ / "a.json", "{");
+    refused({"smsr", "--regressions", found_.string()}, "a.json: not JSON");
+    write_file(folder_.path() / "diary", "dear diary\n");
+    refused({"smsr", "--journal", (folder_.path() / "diary").string()}, "not a journal");
+}
+
+} // namespace
+} // namespace gnomon
