@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace gnomon::fuzz {
 namespace {
@@ -105,7 +106,12 @@ TEST(message, requests_and_replies_arrive_as_they_were_sent) {
     reply.result->evaluations = 9;
     reply.result->worst_error = 0.1;
     reply.result->worst = {{1, 0xffffffffu}, Mask(2, 1, false, Outside::lit)};
-    reply.result->found.push_back({{"smsr/case_09", "wrong", {{1, 2, 3}, {}}, "g", "w", "a", "f"}, true});
+    Found found;
+    found.regression.kernel = "smsr/case_09";
+    found.regression.failure = "wrong";
+    found.regression.input.words = {1, 2, 3};
+    found.on_file = true;
+    reply.result->found.push_back(std::move(found));
     const Reply again = parse_reply(format_reply(reply));
     ASSERT_TRUE(again.result);
     EXPECT_EQ(again.result->evaluations, 9u);
