@@ -5,7 +5,7 @@
 
 namespace gnomon::testing {
 
-inline std::filesystem::path source_folder() { return GNOMON_SOURCE_DIR; }
+std::filesystem::path source_folder();
 inline std::filesystem::path kernels_folder() { return source_folder() / "kernels"; }
 inline std::filesystem::path fixtures_folder() { return source_folder() / "fixtures"; }
 
