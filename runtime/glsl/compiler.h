@@ -16,6 +16,8 @@ namespace gnomon::glsl {
 struct Sources {
     std::filesystem::path root;                   ///< the kernels folder
     std::map<std::string, std::string> generated; ///< name between <> to text
+    /// Path below `root` to a text that stands for the file's: a file changed without touching it.
+    std::map<std::string, std::string> overlaid = {};
 };
 
 enum class Stage { compute, vertex, fragment, geometry };

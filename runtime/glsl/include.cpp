@@ -71,7 +71,9 @@ struct Expansion {
         }
         std::string source;
         try {
-            source = read_file(sources.root / include.name);
+            const auto overlaid = sources.overlaid.find(include.name);
+            source = overlaid != sources.overlaid.end() ? overlaid->second
+                                                        : read_file(sources.root / include.name);
         } catch (const Error&) {
             throw CompileError("{}:{}: cannot include \"{}\": no such file below {}", from, line,
                                include.name, sources.root.string());

@@ -57,6 +57,18 @@ TEST(glsl, generated_texts_are_included_by_angle_brackets) {
     EXPECT_THROW(glsl::expand({folder.path(), {}}, "#include <x/cases>\n", "m"), CompileError);
 }
 
+TEST(glsl, an_overlaid_text_stands_for_the_file_and_keeps_its_name) {
+    const TemporaryFolder folder;
+    folder.write("a.glsl", "int a;\n");
+    glsl::Sources sources{folder.path(), {}, {{"a.glsl", "int other;\n"}, {"new.glsl", "int added;\n"}}};
+    const std::string text =
+        glsl::expand(sources, "#include \"a.glsl\"\n#include \"new.glsl\"\n", "main");
+    EXPECT_EQ(count(text, "int a;"), 0u);
+    EXPECT_EQ(count(text, "int other;"), 1u);
+    EXPECT_EQ(count(text, "int added;"), 1u);
+    EXPECT_EQ(count(text, "/a.glsl\"\n"), 1u);
+}
+
 TEST(glsl, a_missing_include_is_an_error_on_its_line) {
     const TemporaryFolder folder;
     folder.write("a.glsl", "// one\n// two\n#include \"gone.glsl\"\n");
