@@ -61,8 +61,7 @@ TEST(glsl, an_overlaid_text_stands_for_the_file_and_keeps_its_name) {
     const TemporaryFolder folder;
     folder.write("a.glsl", "int a;\n");
     glsl::Sources sources{folder.path(), {}, {{"a.glsl", "int other;\n"}, {"new.glsl", "int added;\n"}}};
-    const std::string text =
-        glsl::expand(sources, "#include \"a.glsl\"\n#include \"new.glsl\"\n", "main");
+    const std::string text = glsl::expand(sources, "#include \"a.glsl\"\n#include \"new.glsl\"\n", "main");
     EXPECT_EQ(count(text, "int a;"), 0u);
     EXPECT_EQ(count(text, "int other;"), 1u);
     EXPECT_EQ(count(text, "int added;"), 1u);
