@@ -4,6 +4,7 @@
 #pragma once
 
 #include "casegen/measure/inputs.h"
+#include "casegen/measure/loop.h"
 #include "casegen/measure/variant.h"
 #include "runtime/gpu/device.h"
 
@@ -44,9 +45,6 @@ struct TimingOptions {
 
 /// The noise of a machine that shows less.
 constexpr double least_noise = 0.03;
-
-constexpr std::uint32_t evaluations_per_thread = 64;
-constexpr std::uint32_t timed_records = 4096; ///< a power of two
 
 /// Of every variant on `timed_records` of the inputs that are ordinary, and, where there are others, on as
 /// many of all of them. `done` is called after each round.
