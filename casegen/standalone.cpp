@@ -47,19 +47,6 @@ std::string from_word(Scalar scalar, const std::string& word) {
     return word;
 }
 
-std::string to_word(Scalar scalar, const std::string& value) {
-    switch (scalar) {
-    case Scalar::float32:
-        return fmt::format("floatBitsToUint({})", value);
-    case Scalar::int32:
-    case Scalar::boolean:
-        return fmt::format("uint({})", value);
-    case Scalar::uint32:
-        break;
-    }
-    return value;
-}
-
 /// glslang makes an OpUndef where a function ends without a return; a driver may then return anything, the
 /// right answer included.
 bool has_undefined_value(const glsl::Spirv& words) {
@@ -78,6 +65,19 @@ std::size_t record_words(const Case& c) {
 constexpr std::size_t least_rehearsed = 4096;
 
 } // namespace
+
+std::string to_word(Scalar scalar, const std::string& value) {
+    switch (scalar) {
+    case Scalar::float32:
+        return fmt::format("floatBitsToUint({})", value);
+    case Scalar::int32:
+    case Scalar::boolean:
+        return fmt::format("uint({})", value);
+    case Scalar::uint32:
+        break;
+    }
+    return value;
+}
 
 glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Readings& readings,
                              Trigonometry trigonometry) {

@@ -21,6 +21,9 @@ namespace gnomon {
 glsl::Sources kernel_sources(const std::filesystem::path& kernels, const Readings& readings = {},
                              Trigonometry trigonometry = Trigonometry::portable);
 
+/// GLSL for the word of a value: floatBitsToUint(value).
+std::string to_word(Scalar scalar, const std::string& value);
+
 /// The compute shader around `c`: includes its file, reads a record, writes the result's words.
 std::string standalone_source(const Case& c);
 

@@ -47,7 +47,8 @@ std::unique_ptr<CLI::App> make_app(Common& common, int& exit_code) {
     add_describe(app, common);
     add_witnesses(app, common);
     add_check(app, common, exit_code);
-    add_eval(app, common);
+    add_eval(app, common, exit_code);
+    add_capture(app, common, exit_code);
     add_revectorize(app, common);
     add_render(app, common);
     add_census(app, common, exit_code);

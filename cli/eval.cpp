@@ -1,9 +1,11 @@
+#include "casegen/capture.h"
 #include "casegen/catalogue.h"
 #include "casegen/check.h"
 #include "casegen/csv.h"
 #include "casegen/standalone.h"
 #include "cli/commands.h"
 #include "cli/report.h"
+#include "cli/view.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
 
@@ -19,20 +21,38 @@ namespace {
 struct Options {
     std::string kernel;
     std::filesystem::path in, out;
-    std::string at;
+    std::string at, expect;
+    std::vector<std::string> readings;
     bool reference = false;
 };
 
-/// Column names of a result: `result`, or `result_x`, `result_y` …
-std::vector<std::string> result_columns(const Case& c, const std::string& name) {
-    const int components = c.reference.result.components;
-    if (components == 1) return {name};
-    std::vector<std::string> names;
-    for (int k = 0; k < components; ++k) names.push_back(fmt::format("{}_{}", name, "xyzw"[k]));
-    return names;
+/// The words of the columns that --expect names. Throws Error if a cell is no such value.
+std::vector<std::uint32_t> expected_words(const Case& c, const Csv& csv, const std::string& name) {
+    std::vector<std::uint32_t> words;
+    for (std::size_t row = 0; row < csv.rows.size(); ++row)
+        for (const std::string& title : result_columns(c, name)) {
+            const std::size_t column = csv.column(title);
+            words.push_back(
+                parse_word(c.reference.result.scalar, csv.rows[row][column], csv.place(row, column)));
+        }
+    return words;
 }
 
-void run(const Options& options, const Common& common) {
+/// Says how many results are not what `name` says; 1 if any is not.
+int judge(const Case& c, const Csv& csv, const std::string& name, std::span<const std::uint32_t> wanted,
+          std::span<const std::uint32_t> got) {
+    const std::vector<std::size_t> rows = differing_rows(c, wanted, got);
+    if (rows.empty()) {
+        fmt::print(stderr, "gnomon: {}: all {} results are those of column {}, bit for bit\n", c.name,
+                   csv.rows.size(), name);
+        return 0;
+    }
+    fmt::print(stderr, "gnomon: {}: {} of {} results are not those of column {}; the first is row {}\n",
+               c.name, rows.size(), csv.rows.size(), name, rows.front() + 1);
+    return 1;
+}
+
+void run(const Options& options, const Common& common, int& exit_code) {
     const Case& c = find_case(options.kernel);
     if (options.in.empty() == options.at.empty()) throw Error("eval takes either --in FILE or --at VALUES");
     const Csv csv = options.at.empty()
@@ -49,12 +69,15 @@ void run(const Options& options, const Common& common) {
             header.push_back(name);
         }
     }
+    std::vector<std::uint32_t> expected;
+    if (!options.expect.empty()) expected = expected_words(c, csv, options.expect);
+    const Readings readings = parse_readings(options.readings);
     if (!options.out.empty()) require_writable(options.out);
 
     Records records(c);
     for (const CsvInput& input : inputs) records.add(input.words, &input.mask);
     gpu::Device device(common.device);
-    const Outputs outputs = evaluate(device, kernel_sources(common.kernels), c, records);
+    const Outputs outputs = evaluate(device, kernel_sources(common.kernels, readings), c, records);
     require_no_validation_messages();
     // Of a kernel that must fail even an unwritten result is no surprise: it reads as NaN.
     if (const std::string complaint = outputs.complaint(); !complaint.empty() && c.fails.empty())
@@ -80,11 +103,12 @@ void run(const Options& options, const Common& common) {
         fmt::print("{}", text);
     else
         write_file(options.out, text);
+    if (!options.expect.empty()) exit_code = judge(c, csv, options.expect, expected, outputs.words);
 }
 
 } // namespace
 
-void add_eval(CLI::App& app, Common& common) {
+void add_eval(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("eval", "run a kernel on your own inputs (CSV; columns as in describe)");
     auto options = std::make_shared<Options>();
@@ -96,12 +120,17 @@ void add_eval(CLI::App& app, Common& common) {
                      "one input on the command line: the values of all columns, in their order");
     verb->add_flag("--reference", options->reference,
                    "add the reference's value as `reference` (`undefined` outside the kernel's domain)");
+    verb->add_option("--expect", options->expect,
+                     "column that the results must equal, bit for bit (exit code 1 if any does not); "
+                     "gnomon capture writes one: captured")
+        ->check(not_empty());
+    add_reading_option(*verb, options->readings);
     verb->footer("Numbers are decimal, or hexadecimal floats that name every bit (0x1.8p-1); nan and inf are "
                  "numbers too.\n\n"
                  "  gnomon eval smsr/case_09 --in inputs.csv --out outputs.csv --reference\n"
                  "  gnomon eval smsr/case_09 --at 0.5,0x1p-2,0.75 --reference\n"
                  "  gnomon eval smsr/visibility --at '..#/###,lit,0,0,0.5,0.5'");
-    verb->callback([options, &common] { run(*options, common); });
+    verb->callback([options, &common, &exit_code] { run(*options, common, exit_code); });
 }
 
 } // namespace gnomon::cli

@@ -445,4 +445,44 @@ std::vector<Capture> Renderer::capture(const std::vector<std::uint32_t>& pixels)
     return result;
 }
 
+Recorded Renderer::record(const Technique& technique, Question question,
+                          const std::vector<std::uint32_t>& pixels,
+                          const std::map<std::string, std::string>& overlaid) {
+    Impl& r = *impl_;
+    Stopwatch ignored;
+    r.draw_gbuffer(ignored);
+    r.draw_shadow_map(ignored);
+    glsl::Sources sources = answer_sources(r.sources, technique, question);
+    for (const auto& [file, text] : overlaid) sources.overlaid[file] = text;
+    gpu::Kernel kernel = r.device.kernel(r.stage("record.comp", sources), technique.name + " record");
+    const gpu::Buffer wanted = r.device.upload(pixels);
+    const gpu::Buffer answers = r.device.allocate(pixels.size() * sizeof(std::uint32_t));
+    const gpu::Buffer counts = r.device.allocate(pixels.size() * sizeof(std::uint32_t));
+    const auto count = static_cast<std::uint32_t>(pixels.size());
+    Recorded recorded;
+    recorded.firsts.assign(pixels.size() + 1, 0);
+    const auto run = [&](const gpu::Buffer& calls) {
+        const gpu::Buffer firsts = r.device.upload(recorded.firsts);
+        r.device.run(
+            kernel,
+            {&r.frame_buffer, &r.receivers, &r.depth_texels, &wanted, &firsts, &calls, &counts, &answers},
+            {.threads = {count, 1, 1}, .constants = gpu::bytes_of(count)});
+    };
+    run(r.device.upload(std::vector<std::uint32_t>{0})); // no room yet: only counts
+    const std::vector<std::uint32_t> lengths = r.device.read<std::uint32_t>(counts);
+    constexpr std::uint64_t most = std::uint64_t{1} << 28;
+    std::uint64_t total = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        total += lengths[i];
+        if (total > most) throw Error("more than {} words are recorded; take fewer pixels", most);
+        recorded.firsts[i + 1] = static_cast<std::uint32_t>(total);
+    }
+    const gpu::Buffer calls = r.device.upload(std::vector<std::uint32_t>(std::max<std::size_t>(total, 1)));
+    run(calls);
+    recorded.words = r.device.read<std::uint32_t>(calls);
+    recorded.words.resize(total);
+    recorded.answers = r.device.read<std::uint32_t>(answers);
+    return recorded;
+}
+
 } // namespace gnomon

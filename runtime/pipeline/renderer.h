@@ -13,6 +13,7 @@
 #include "runtime/rays.h"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +53,13 @@ struct Capture {
     glm::ivec2 texel{0};
     glm::vec2 p{0};
     std::vector<std::uint8_t> lit; ///< (2 radius + 1)² texels, row-major, centred on `texel`
+};
+
+/// What a kernel's recorded calls wrote (kernels/pipeline/record.glslh), pixel by pixel.
+struct Recorded {
+    std::vector<std::uint32_t> words;
+    std::vector<std::uint32_t> firsts;  ///< per pixel the first of its words, and where the last one's end
+    std::vector<std::uint32_t> answers; ///< what the technique answered at each pixel, as bits
 };
 
 class Renderer {
@@ -109,6 +117,12 @@ public:
 
     /// The pixels' inputs to a technique's kernel. Only pixels inside the map that face the light have any.
     std::vector<Capture> capture(const std::vector<std::uint32_t>& pixels);
+
+    /// Asks a technique of kind `kernel` at these pixels, of which the same is true. `overlaid` are texts
+    /// that stand for kernels' files (glsl::Sources) and record what they like. Throws Error if that is more
+    /// than 2^28 words.
+    Recorded record(const Technique& technique, Question question, const std::vector<std::uint32_t>& pixels,
+                    const std::map<std::string, std::string>& overlaid);
 
 private:
     struct Impl;

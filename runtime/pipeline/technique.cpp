@@ -39,6 +39,16 @@ glsl::Sources number_sources(const glsl::Sources& sources, const Technique& tech
                 "uint technique_number(ivec2 texel) {{\n    return {prefix}_number(texel);\n}}\n");
 }
 
+glsl::Sources answer_sources(const glsl::Sources& sources, const Technique& technique, Question question) {
+    const bool number = question == Question::number;
+    glsl::Sources result =
+        number ? number_sources(sources, technique) : visibility_sources(sources, technique);
+    result.generated["technique"] +=
+        fmt::format("uint technique_answer(ivec2 texel, vec2 p) {{\n    return {};\n}}\n",
+                    number ? "technique_number(texel)" : "floatBitsToUint(technique_visibility(texel, p))");
+    return result;
+}
+
 std::string stage_text(const glsl::Sources& sources, const std::string& file) {
     return read_file(sources.root / below_kernels(file));
 }

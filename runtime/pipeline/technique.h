@@ -35,6 +35,13 @@ struct Technique {
 glsl::Sources visibility_sources(const glsl::Sources& sources, const Technique& technique);
 glsl::Sources number_sources(const glsl::Sources& sources, const Technique& technique);
 
+/// What a technique is asked: float visibility, or the number of the case.
+enum class Question { visibility, number };
+
+/// The same for either question, and <technique> also has its answer's bits:
+///     uint technique_answer(ivec2 texel, vec2 p)
+glsl::Sources answer_sources(const glsl::Sources& sources, const Technique& technique, Question question);
+
 /// A stage by its file below the kernels' folder, "hybrid/fill.comp"; a bare name is below pipeline/.
 std::string stage_text(const glsl::Sources& sources, const std::string& file);
 std::string stage_name(const glsl::Sources& sources, const std::string& file);

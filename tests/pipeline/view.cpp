@@ -1,5 +1,6 @@
 #include "tests/pipeline/view.h"
 
+#include "casegen/capture.h"
 #include "casegen/standalone.h"
 #include "tests/support/device.h"
 #include "tests/support/environment.h"
@@ -47,15 +48,7 @@ std::vector<float> visibility(Renderer& renderer, const Technique& technique) {
 }
 
 std::vector<std::uint32_t> asked_pixels(Renderer& renderer, const View& view) {
-    std::vector<std::uint32_t> pixels;
-    const auto side = static_cast<float>(view.settings.shadow_map);
-    const auto within = [&](float v) { return v >= 0 && v < side; };
-    const std::vector<shared::Receiver>& receivers = renderer.receivers();
-    for (std::size_t i = 0; i < receivers.size(); ++i) {
-        const glm::vec4 map = receivers[i].map;
-        if (map.w == 1 && within(map.x) && within(map.y)) pixels.push_back(static_cast<std::uint32_t>(i));
-    }
-    return pixels;
+    return gnomon::asked_pixels(renderer, view.settings);
 }
 
 std::size_t lit_only_in_first(const Surfaces& surfaces, std::span<const float> first,
