@@ -86,13 +86,14 @@ std::uint32_t parse_word(Scalar scalar, const std::string& cell, const std::stri
     if (scalar == Scalar::float32) {
         const float value = std::strtof(cell.c_str(), &end);
         const bool overflow = errno == ERANGE && std::isinf(value);
-        if (cell.empty() || *end != '\0' || overflow)
+        if (cell.empty() || end != cell.c_str() + cell.size() || overflow)
             throw Error("{} is \"{}\"; a number is needed{}", place, cell,
                         overflow ? " that a float can hold" : "");
         return std::bit_cast<std::uint32_t>(value);
     }
     const double value = std::strtod(cell.c_str(), &end);
-    if (cell.empty() || *end != '\0') throw Error("{} is \"{}\"; a whole number is needed", place, cell);
+    if (cell.empty() || end != cell.c_str() + cell.size())
+        throw Error("{} is \"{}\"; a whole number is needed", place, cell);
     const double lower = scalar == Scalar::int32 ? -2147483648.0 : 0.0;
     const double upper = scalar == Scalar::int32    ? 2147483647.0
                          : scalar == Scalar::uint32 ? 4294967295.0

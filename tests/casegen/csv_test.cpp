@@ -48,6 +48,13 @@ TEST(csv, byte_order_marks_carriage_returns_blank_lines_and_leading_comments_are
     EXPECT_THAT(csv.rows[0], ElementsAre("1", "2"));
 }
 
+TEST(csv, a_number_ends_where_its_cell_does) {
+    using namespace std::string_literals;
+    for (const std::string& cell : {"1\0"s, "1\0 2"s, "\0"s})
+        for (const Scalar scalar : {Scalar::float32, Scalar::int32})
+            EXPECT_THROW(parse_word(scalar, cell, "here"), Error);
+}
+
 TEST(csv, malformed_files_are_named) {
     EXPECT_THAT(csv_error(""), AllOf(StartsWith("f.csv: "), HasSubstr("empty")));
     EXPECT_THAT(csv_error("\n# only this\n"), HasSubstr("empty"));
