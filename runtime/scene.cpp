@@ -2,6 +2,7 @@
 
 #include "runtime/error.h"
 #include "runtime/files.h"
+#include "runtime/one_line.h"
 #include "runtime/scene_precheck.h"
 
 #include <algorithm>
@@ -26,14 +27,6 @@ constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
 std::string lower_case(std::string text) {
     std::ranges::transform(text, text.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-/// Text of unknown origin as part of a one-line message.
-std::string one_line(std::string text) {
-    std::ranges::replace_if(
-        text, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-    text.erase(text.find_last_not_of(' ') + 1);
     return text;
 }
 

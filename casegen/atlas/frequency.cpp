@@ -3,6 +3,7 @@
 #include "casegen/mask_families.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
+#include "runtime/one_line.h"
 
 #include <nlohmann/json.hpp>
 
@@ -24,7 +25,7 @@ unsigned number_of(const Family& family, const std::string& key, const std::stri
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
     if (error != std::errc{} || end != key.data() + key.size() || number == 0 ||
         std::ranges::count(family.cases, number, &Case::number) == 0)
-        throw Error("'{}': \"{}\" has no case \"{}\"", file, family.name, key);
+        throw Error("'{}': \"{}\" has no case \"{}\"", file, family.name, one_line(key));
     return number;
 }
 
@@ -71,11 +72,13 @@ Census read_census(const std::filesystem::path& path) {
     Census census{path.stem().string(), {}};
     for (const auto& [name, numbers] : json.items()) {
         const Family* family = family_named(name);
-        if (!family || !numbers.is_object()) throw Error("'{}': no family \"{}\" with numbers", file, name);
+        if (!family || !numbers.is_object())
+            throw Error("'{}': no family \"{}\" with numbers", file, one_line(name));
         for (const auto& [key, value] : numbers.items()) {
             const double share = value.is_number() ? value.get<double>() : -1;
             if (!(share >= 0 && share <= 1))
-                throw Error("'{}': the share of {} {} is not a number from 0 to 1", file, name, key);
+                throw Error("'{}': the share of {} {} is not a number from 0 to 1", file, name,
+                            one_line(key));
             census.shares[name][number_of(*family, key, file)] = share;
         }
     }

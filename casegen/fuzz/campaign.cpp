@@ -43,7 +43,7 @@ public:
         if (!is_new && !finding.known && !finding.file.empty()) std::filesystem::remove(finding.file);
         finding = {regression, {}, found.on_file, unit};
         if (found.on_file) {
-            for (const Regression& old : on_file_.at(regression.kernel))
+            for (const Regression& old : on_file_[regression.kernel])
                 if (old.input.words == regression.input.words && old.input.mask == regression.input.mask) {
                     finding.regression = old;
                     finding.file = folder_ / file_name(old);
@@ -186,6 +186,7 @@ private:
             findings_.add(kernel, unit, found);
         }
         if (!reply.result) return;
+        if (reply.result->worst_error > 0) require_input_of(*of_kernel.kernel, reply.result->worst);
         of_kernel.evaluations += reply.result->evaluations;
         report_.evaluations += reply.result->evaluations;
         if (reply.result->worst_error > of_kernel.worst_error ||

@@ -1,6 +1,8 @@
 #include "casegen/fuzz/message.h"
 
+#include "casegen/catalogue.h"
 #include "casegen/csv.h"
+#include "runtime/error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -34,22 +36,15 @@ Json json_of(const Found& found) {
 
 Found found_of(const Json& object) {
     const auto text = [&](const char* field) { return object.at(field).get<std::string>(); };
-    return {{text("kernel"), text("failure"), input_of(object.at("input")), text("got"), text("want"),
-             text("allowed"), text("found")},
-            object.at("on_file").get<bool>()};
+    Found found{{text("kernel"), text("failure"), input_of(object.at("input")), text("got"), text("want"),
+                 text("allowed"), text("found")},
+                object.at("on_file").get<bool>()};
+    const Case& c = find_case(found.regression.kernel);
+    if (!found.regression.input.words.empty()) require_input_of(c, found.regression.input); // none: unknown
+    return found;
 }
 
-} // namespace
-
-std::string format_request(const Request& request) {
-    Json object{{"kernel", request.kernel}, {"round", request.round}, {"evaluations", request.evaluations},
-                {"shrink", request.shrink}, {"known", request.known}, {"tell_inputs", request.tell_inputs}};
-    if (request.part) object["part"] = {request.part->batch, request.part->begin, request.part->end};
-    return object.dump();
-}
-
-Request parse_request(const std::string& text) {
-    const Json object = Json::parse(text);
+Request request_of(const Json& object) {
     Request request{object.at("kernel").get<std::size_t>(),
                     object.at("round").get<std::uint64_t>(),
                     object.at("evaluations").get<std::size_t>(),
@@ -65,28 +60,7 @@ Request parse_request(const std::string& text) {
     return request;
 }
 
-std::string format_reply(const Reply& reply) {
-    Json object = Json::object();
-    if (!reply.timeout.empty()) object["timeout"] = reply.timeout;
-    if (!reply.compile_error.empty()) object["compile_error"] = reply.compile_error;
-    if (!reply.inputs.empty()) {
-        object["inputs"] = Json::array();
-        for (const Input& input : reply.inputs) object["inputs"].push_back(json_of(input));
-    }
-    if (reply.result) {
-        Json found = Json::array();
-        for (const Found& each : reply.result->found) found.push_back(json_of(each));
-        object["result"] = {{"evaluations", reply.result->evaluations}, {"found", found}};
-        if (reply.result->worst_error > 0) {
-            object["result"]["worst_error"] = reply.result->worst_error;
-            object["result"]["worst"] = json_of(reply.result->worst);
-        }
-    }
-    return object.dump();
-}
-
-Reply parse_reply(const std::string& text) {
-    const Json object = Json::parse(text);
+Reply reply_of(const Json& object) {
     Reply reply;
     reply.timeout = object.value("timeout", "");
     reply.compile_error = object.value("compile_error", "");
@@ -105,5 +79,58 @@ Reply parse_reply(const std::string& text) {
     }
     return reply;
 }
+
+/// A text of unknown origin as `read` sees it; what is damaged in it is an Error.
+template <typename Read>
+auto read_json(const std::string& text, const char* what, Read&& read) {
+    try {
+        return read(Json::parse(text));
+    } catch (const Json::exception&) { // of its message's many lines none helps
+        throw Error("{}: not what gnomon fuzz writes ({} bytes of something else, or damaged)", what,
+                    text.size());
+    }
+}
+
+/// What compilers and command lines say need not be Unicode.
+std::string dump(const Json& object) { return object.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+} // namespace
+
+void require_input_of(const Case& c, const Input& input) {
+    if (input.words.size() != word_count(c) || c.reference.takes_mask == input.mask.texels.empty())
+        throw Error("an input of {} words{} is none of {}", input.words.size(),
+                    input.mask.texels.empty() ? "" : " and a mask", c.name);
+}
+
+std::string format_request(const Request& request) {
+    Json object{{"kernel", request.kernel}, {"round", request.round}, {"evaluations", request.evaluations},
+                {"shrink", request.shrink}, {"known", request.known}, {"tell_inputs", request.tell_inputs}};
+    if (request.part) object["part"] = {request.part->batch, request.part->begin, request.part->end};
+    return dump(object);
+}
+
+Request parse_request(const std::string& text) { return read_json(text, "request", request_of); }
+
+std::string format_reply(const Reply& reply) {
+    Json object = Json::object();
+    if (!reply.timeout.empty()) object["timeout"] = reply.timeout;
+    if (!reply.compile_error.empty()) object["compile_error"] = reply.compile_error;
+    if (!reply.inputs.empty()) {
+        object["inputs"] = Json::array();
+        for (const Input& input : reply.inputs) object["inputs"].push_back(json_of(input));
+    }
+    if (reply.result) {
+        Json found = Json::array();
+        for (const Found& each : reply.result->found) found.push_back(json_of(each));
+        object["result"] = {{"evaluations", reply.result->evaluations}, {"found", found}};
+        if (reply.result->worst_error > 0) {
+            object["result"]["worst_error"] = reply.result->worst_error;
+            object["result"]["worst"] = json_of(reply.result->worst);
+        }
+    }
+    return dump(object);
+}
+
+Reply parse_reply(const std::string& text) { return read_json(text, "reply", reply_of); }
 
 } // namespace gnomon::fuzz

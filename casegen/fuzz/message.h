@@ -27,6 +27,10 @@ struct Reply {
     std::vector<Input> inputs; ///< if they were asked for
 };
 
+/// Throws Error unless the kernel can be called with it.
+void require_input_of(const Case& c, const Input& input);
+
+/// Parsing throws Error of a text that format_… never writes.
 std::string format_request(const Request& request);
 Request parse_request(const std::string& text);
 std::string format_reply(const Reply& reply);

@@ -4,6 +4,7 @@
 #include "casegen/csv.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
+#include "runtime/one_line.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,10 +41,10 @@ Input input_of(const Case& c, const Json& object, const std::string& name) {
     const Json& cells = object.at("input");
     Csv csv{name, columns(c), {{}}};
     for (const std::string& column : csv.header)
-        csv.rows.front().push_back(text_of(cells, column.c_str(), name + ", input"));
+        csv.rows.front().push_back(one_line(text_of(cells, column.c_str(), name + ", input")));
     for (const auto& [key, value] : cells.items())
         if (std::ranges::find(csv.header, key) == csv.header.end())
-            throw Error("{}: \"{}\" is no input of {}; they are {}", name, key, c.name,
+            throw Error("{}: \"{}\" is no input of {}; they are {}", name, one_line(key), c.name,
                         fmt::join(csv.header, ", "));
     return read_inputs(c, csv).front();
 }
@@ -68,7 +69,7 @@ std::string format_regression(const Regression& regression) {
         {"kernel", regression.kernel}, {"failure", regression.failure}, {"input", input},
         {"got", regression.got},       {"want", regression.want},       {"allowed", regression.allowed},
         {"found", regression.found}};
-    return object.dump(2) + '\n';
+    return object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 Regression parse_regression(std::string_view text, const std::string& name) {
@@ -77,7 +78,8 @@ Regression parse_regression(std::string_view text, const std::string& name) {
     if (!object.is_object()) throw Error("{}: not a JSON object", name);
     for (const auto& [key, value] : object.items())
         if (std::ranges::find(fields, key) == fields.end())
-            throw Error("{}: unknown field \"{}\"; there are {}", name, key, fmt::join(fields, ", "));
+            throw Error("{}: unknown field \"{}\"; there are {}", name, one_line(key),
+                        fmt::join(fields, ", "));
     Regression regression;
     regression.kernel = text_of(object, "kernel", name);
     const std::vector<const Case*> found = [&]() -> std::vector<const Case*> {
@@ -88,7 +90,7 @@ Regression parse_regression(std::string_view text, const std::string& name) {
     }();
     if (found.empty())
         throw Error("{}: there is no kernel \"{}\"; rename it in the file, or delete the file", name,
-                    regression.kernel);
+                    one_line(regression.kernel));
     regression.failure = text_of(object, "failure", name);
     regression.input = input_of(*found.front(), object, name);
     regression.got = text_of(object, "got", name);

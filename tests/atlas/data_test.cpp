@@ -199,6 +199,8 @@ TEST(census, is_read_and_bad_ones_are_named) {
     refused("");
     refused("[1]");
     refused("{\"smsr\": 1}");
+    EXPECT_THAT(refused(R"({"two\nlines": {"1": 0.5}})"), HasSubstr("two lines"));
+    EXPECT_THAT(refused(R"({"smsr": {"9\n": 0.5}})"), HasSubstr("no case \"9\""));
     EXPECT_THAT(refused("{\"smrs\": {}}"), HasSubstr("smrs"));
     EXPECT_THAT(refused("{\"smsr\": {\"13\": 0.1}}"), HasSubstr("\"13\""));
     EXPECT_THAT(refused("{\"smsr\": {\"0\": 0.1}}"), HasSubstr("\"0\""));

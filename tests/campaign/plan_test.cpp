@@ -3,12 +3,15 @@
 #include "casegen/fuzz/draw.h"
 #include "casegen/fuzz/message.h"
 #include "casegen/fuzz/plan.h"
+#include "runtime/error.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace gnomon::fuzz {
@@ -123,6 +126,26 @@ TEST(message, requests_and_replies_arrive_as_they_were_sent) {
     EXPECT_TRUE(again.result->found[0].on_file);
     EXPECT_TRUE(again.timeout.empty());
     EXPECT_EQ(parse_reply(format_reply({{}, "late", {}, {}})).timeout, "late");
+    // A compiler may say anything.
+    EXPECT_FALSE(parse_reply(format_reply({{}, {}, "\xff\xfe", {}})).compile_error.empty());
+}
+
+TEST(message, damaged_ones_are_errors) {
+    for (const char* text : {"", "{", "null", "[1]", R"({"kernel": 1})", R"({"result": 7})",
+                             R"({"result": {"evaluations": -1.5, "found": 3}})"}) {
+        EXPECT_THROW(parse_request(text), Error) << text;
+        if (std::string_view(text) != R"({"kernel": 1})") EXPECT_THROW(parse_reply(text), Error) << text;
+    }
+    const auto reply = [](const char* kernel, const char* words) {
+        return fmt::format(R"({{"result": {{"evaluations": 1, "found": [{{"kernel": "{}", "failure": "wrong",
+            "input": {{"words": {}}}, "got": "", "want": "", "allowed": "", "found": "", "on_file": false}}]}}}})",
+                           kernel, words);
+    };
+    EXPECT_EQ(parse_reply(reply("smsr/case_09", "[1, 2, 3]")).result->found.size(), 1u);
+    EXPECT_EQ(parse_reply(reply("smsr/case_09", "[]")).result->found.size(), 1u); // not seen again
+    EXPECT_THROW(parse_reply(reply("smsr/case_09", "[1, 2]")), Error);
+    EXPECT_THROW(parse_reply(reply("smsr/visibility", "[1, 2, 3, 4]")), Error); // its mask is missing
+    EXPECT_THROW(parse_reply(reply("smsr/case_99", "[1, 2, 3]")), Error);
 }
 
 } // namespace

@@ -75,6 +75,11 @@ TEST(regression, says_what_is_wrong_with_a_file) {
     EXPECT_THAT(message_of(changed("\"-3\"", "\"-3.5\"")), HasSubstr("whole number"));
     EXPECT_THAT(message_of(changed(".../.#.", ".../.x.")), HasSubstr("FILE"));
     EXPECT_THAT(message_of(changed("\"shadow\"", "\"dusk\"")), HasSubstr("clamp, lit or shadow"));
+    for (const auto& [from, to] : {std::pair{"smsr/visibility", "two\\nlines"},
+                                   {"\"found\"", "\"two\\nlines\""},
+                                   {"\"shadow\"", "\"two\\nlines\""},
+                                   {"\"mask\"", "\"two\\nlines\": \"1\", \"mask\""}})
+        EXPECT_EQ(message_of(changed(from, to)).find('\n'), std::string::npos) << to;
     EXPECT_THAT(message_of(changed("\"mask\"", "\"more\": \"1\", \"mask\"")),
                 HasSubstr("\"more\" is no input"));
 }
