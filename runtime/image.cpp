@@ -2,9 +2,11 @@
 
 #include "runtime/error.h"
 #include "runtime/files.h"
+#include "runtime/one_line.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include <png.h>
@@ -30,10 +32,15 @@ Image read_png(const std::filesystem::path& path) {
     const std::string bytes = read_file(path);
     PngImage png;
     if (png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()) == 0)
-        throw Error("'{}' is not a PNG file that can be read: {}", path.string(), png.image.message);
+        throw Error("'{}' is not a PNG file that can be read: {}", path.string(),
+                    one_line(png.image.message));
     if (png.image.width > max_side || png.image.height > max_side)
         throw Error("'{}' is {} x {} pixels: at most {} on a side can be read", path.string(),
                     png.image.width, png.image.height, max_side);
+    // What deflate makes of a byte is at most 1032 times as long, and a pixel has a bit at least.
+    if (std::uint64_t{png.image.width} * png.image.height > 8 * 1032 * std::uint64_t{bytes.size()})
+        throw Error("'{}' is a damaged PNG file: {} bytes cannot hold {} x {} pixels", path.string(),
+                    bytes.size(), png.image.width, png.image.height);
     png.image.format = PNG_FORMAT_RGB;
     png.image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
 
@@ -41,7 +48,7 @@ Image read_png(const std::filesystem::path& path) {
     Image image(static_cast<int>(png.image.width), static_cast<int>(png.image.height));
     const png_color black{};
     if (png_image_finish_read(&png.image, &black, image.pixels.data(), 0, nullptr) == 0)
-        throw Error("'{}' is a damaged PNG file: {}", path.string(), png.image.message);
+        throw Error("'{}' is a damaged PNG file: {}", path.string(), one_line(png.image.message));
     return image;
 }
 

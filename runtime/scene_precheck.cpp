@@ -350,6 +350,25 @@ void precheck_glb(const std::filesystem::path& path, std::string_view bytes) {
     }
 }
 
+namespace {
+
+/// Else some hundred nodes are a tree of 2^100.
+void require_one_parent(const nlohmann::json& nodes, const std::string& file) {
+    std::vector<std::uint8_t> is_child(nodes.size(), 0);
+    for (const nlohmann::json& node : nodes) {
+        if (!node.is_object() || !node.contains("children") || !node["children"].is_array()) continue;
+        for (const nlohmann::json& child : node["children"]) {
+            if (!child.is_number_unsigned() || child.get<std::size_t>() >= nodes.size()) continue;
+            if (is_child[child.get<std::size_t>()] != 0)
+                throw Error("'{}': node {} (counted from 0) is a child more than once", file,
+                            child.get<std::size_t>());
+            is_child[child.get<std::size_t>()] = 1;
+        }
+    }
+}
+
+} // namespace
+
 void precheck_gltf(const std::filesystem::path& path, std::string_view json) {
     constexpr std::size_t deepest = 500;
     std::size_t depth = 0;
@@ -370,6 +389,7 @@ void precheck_gltf(const std::filesystem::path& path, std::string_view json) {
     if (!document.is_object() || !document.contains("nodes") || !document["nodes"].is_array()) return;
     // Levels of the node tree, from all nodes at once: a node may be dropped once no other has it as a child.
     const nlohmann::json& nodes = document["nodes"];
+    require_one_parent(nodes, path.string());
     std::vector<std::uint8_t> here(nodes.size(), 1);
     for (std::size_t level = 0;; ++level) {
         if (level > deepest)

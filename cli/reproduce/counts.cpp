@@ -1,6 +1,9 @@
 #include "cli/reproduce/counts.h"
 
 #include "casegen/csv.h"
+#include "runtime/error.h"
+
+#include <limits>
 
 namespace gnomon::cli {
 
@@ -15,7 +18,12 @@ std::vector<PrintedCount> read_printed_counts(const std::filesystem::path& path)
         const auto number = [&](std::size_t column) {
             return parse_word(Scalar::uint32, csv.rows[row][column], csv.place(row, column));
         };
-        const auto size = [&](std::size_t column) { return static_cast<int>(number(column)); };
+        const auto size = [&](std::size_t column) {
+            const std::uint32_t value_there = number(column);
+            if (value_there > std::numeric_limits<int>::max())
+                throw Error("{} is {}; that is no table, size or map", csv.place(row, column), value_there);
+            return static_cast<int>(value_there);
+        };
         counts.push_back({size(table),
                           {csv.rows[row][view], size(width), size(height), size(map),
                            csv.rows[row][technique], csv.rows[row][quantity]},

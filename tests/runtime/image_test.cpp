@@ -153,6 +153,9 @@ TEST(Image, DamageIsReported) {
         const fs::path path = folder.write(name, content);
         EXPECT_THAT(error_of([&] { read_png(path); }), HasSubstr(path.string()));
     }
+    // Before memory is taken for pixels that so few bytes cannot hold.
+    EXPECT_THAT(error_of([&] { read_png(folder.path() / "claim.png"); }),
+                HasSubstr("bytes cannot hold 16384 x 16384 pixels"));
     EXPECT_THAT(error_of([&] { read_png(folder.path() / "absent.png"); }), HasSubstr("absent.png"));
     EXPECT_THAT(error_of([&] { read_png(folder.path()); }), HasSubstr(folder.path().string()));
 }

@@ -362,5 +362,14 @@ TEST(Scene, NestingThatWouldExhaustTheStackIsRefused) {
                 HasSubstr("circle"));
 }
 
+TEST(Scene, NodesThatAreChildrenTwiceAreRefused) {
+    const TemporaryFolder folder;
+    // Sixty nodes, and 2^59 triangles if one follows every path.
+    std::string text = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [)";
+    for (int i = 0; i < 59; ++i) text += fmt::format(R"({{"children": [{0}, {0}]}},)", i + 1);
+    EXPECT_THAT(error_of([&] { load_scene(folder.write("doubling.gltf", text + "{}]}")); }),
+                HasSubstr("node 1 (counted from 0) is a child more than once"));
+}
+
 } // namespace
 } // namespace gnomon
