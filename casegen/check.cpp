@@ -5,6 +5,7 @@
 #include "casegen/fuzz/regression.h"
 #include "casegen/standalone.h"
 #include "casegen/truths.h"
+#include "casegen/verdict.h"
 #include "runtime/error.h"
 
 #include <fmt/format.h>
@@ -53,19 +54,9 @@ Prepared prepare(const Case& c, const CheckOptions& options, const glsl::Sources
     return {std::move(sampler), std::move(words), samples, std::move(first)};
 }
 
-Finding make_finding(const Case& c, const Sampler& sampler, std::size_t index,
-                     std::span<const std::uint32_t> got, double error) {
-    const Sampler::Sample sample = sampler.draw(index);
-    const Arguments with = arguments(c, sample.words, sample.mask);
-    Finding finding{index, sample.words, {}, {got.begin(), got.end()}, {}, in_domain(c, with), error};
-    if (sample.mask) finding.mask = *sample.mask;
-    if (finding.in_domain) finding.want = c.reference.call(with);
-    return finding;
-}
-
 /// Judges one dispatch's results and keeps the worst.
-void judge_all(const Case& c, const Sampler& sampler, std::size_t begin, const Records& records,
-               const Outputs& outputs, CheckReport& report) {
+void judge_all(const Case& c, std::size_t begin, const Records& records, const Outputs& outputs,
+               CheckReport& report) {
     const auto components = static_cast<std::size_t>(c.reference.result.components);
     const std::vector<Truth> known = truths(c, records);
     for (std::size_t i = 0; i < records.size(); ++i) {
@@ -74,7 +65,7 @@ void judge_all(const Case& c, const Sampler& sampler, std::size_t begin, const R
                                           known.empty() ? nullptr : &known[i]);
         if (!agreement.pass) ++report.failures;
         if (!report.worst || agreement.error > report.worst->error)
-            report.worst = make_finding(c, sampler, begin + i, got, agreement.error);
+            report.worst = make_finding(c, records, i, begin + i, got, agreement.error);
     }
     if (report.failures > 0) report.verdict = Verdict::wrong;
 }
@@ -91,22 +82,9 @@ void run(const Case& c, const Prepared& prepared, gpu::Device& device, CheckRepo
         const Records& records = begin == 0 ? prepared.first : drawn;
         const Outputs outputs = run_standalone(device, kernel, c, records);
         report.nanoseconds += outputs.nanoseconds / static_cast<double>(prepared.samples);
-        judge_all(c, prepared.sampler, begin, records, outputs, report);
-
-        report.message = outputs.complaint();
-        if (report.message.empty()) {
-            progress(end - begin);
-            continue;
-        }
-        const auto gap = std::ranges::find(outputs.unwritten, 1);
-        report.verdict = gap != outputs.unwritten.end() ? Verdict::unwritten
-                         : outputs.stray_write          ? Verdict::stray_write
-                                                        : Verdict::unstable;
-        if (report.verdict == Verdict::unwritten)
-            report.worst = make_finding(c, prepared.sampler,
-                                        begin + static_cast<std::size_t>(gap - outputs.unwritten.begin()), {},
-                                        std::numeric_limits<double>::infinity());
-        return;
+        judge_all(c, begin, records, outputs, report);
+        if (add_complaint(c, records, begin, outputs, report)) return;
+        progress(end - begin);
     }
 }
 
@@ -140,15 +118,7 @@ CheckReport check_one(const Case& c, const CheckOptions& options, const glsl::So
     try {
         const Prepared prepared = prepare(c, options, sources, pool, report.seed, regressions);
         run(c, prepared, device.get(), report, progress);
-        // What a division by zero gives is undefined: a driver may also leave it unwritten, or other each
-        // time.
-        if (!c.fails.empty() && (report.verdict == Verdict::wrong || report.verdict == Verdict::unwritten ||
-                                 report.verdict == Verdict::unstable))
-            report.verdict = Verdict::expected;
-        if (!c.fails.empty() && report.verdict == Verdict::pass) {
-            report.verdict = Verdict::passes_wrongly;
-            report.message = "passes, but its table says that it fails: " + c.fails;
-        }
+        expect_what_the_table_says(report);
     } catch (const CompileError& error) {
         report.verdict = Verdict::compile_error;
         report.message = error.what();

@@ -172,14 +172,23 @@ std::string repeated_source(const Case& c, Repeated what) {
                        fmt::join(words, " + "));
 }
 
+std::string standalone_text(const Case& c, const glsl::Sources& sources) {
+    if (const std::string file = c.name + ".glsl";
+        !sources.overlaid.contains(file) && !std::filesystem::is_regular_file(sources.root / file))
+        throw CompileError("{}/{}: no such file; the catalogue has a case of this name",
+                           sources.root.string(), file);
+    return glsl::expand(sources, standalone_source(c), standalone_name);
+}
+
 glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources) {
-    if (!std::filesystem::is_regular_file(sources.root / (c.name + ".glsl")))
-        throw CompileError("{}/{}.glsl: no such file; the catalogue has a case of this name",
-                           sources.root.string(), c.name);
-    const std::string file = fmt::format("{}/{}.glsl", sources.root.filename().string(), c.name);
+    return compile_standalone_text(c, standalone_text(c, sources), sources.root.filename().string());
+}
+
+glsl::Spirv compile_standalone_text(const Case& c, const std::string& text, const std::string& folder) {
+    const std::string file = fmt::format("{}/{}.glsl", folder, c.name);
     glsl::Spirv words;
     try {
-        words = glsl::compile(sources, standalone_source(c), standalone_name, glsl::Stage::compute);
+        words = glsl::compile_expanded(text, standalone_name, glsl::Stage::compute);
     } catch (const CompileError& error) {
         const std::string message = error.what();
         const bool linking = message.find("No function definition (body) found") != std::string::npos;

@@ -38,8 +38,16 @@ constexpr std::uint32_t repeated_stride = 1031; ///< odd: every record has its t
 /// What stands for that text in messages, and with it in the cache's key.
 inline constexpr const char* standalone_name = "<main>";
 
-/// standalone_source, compiled. Throws CompileError: on the author's line, or, if what fails is the generated
-/// call, a message that shows the signature which the table declares.
+/// standalone_source with all that it includes: the whole text that `c` compiles from. Throws CompileError if
+/// a file is missing.
+std::string standalone_text(const Case& c, const glsl::Sources& sources);
+
+/// That text, compiled; `folder` is what messages call the kernels' folder. Throws CompileError: on the
+/// author's line, or, if what fails is the generated call, a message that shows the signature which the table
+/// declares.
+glsl::Spirv compile_standalone_text(const Case& c, const std::string& text, const std::string& folder);
+
+/// Both.
 glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources);
 
 /// Inputs as the device reads them: per sample the parameters' words, then (if the kernel takes a mask) four

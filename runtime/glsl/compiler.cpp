@@ -145,7 +145,10 @@ Spirv find_cached(std::string_view expanded, Stage stage) {
 }
 
 Spirv compile(const Sources& sources, std::string_view text, std::string_view name, Stage stage) {
-    const std::string expanded = expand(sources, text, name);
+    return compile_expanded(expand(sources, text, name), name, stage);
+}
+
+Spirv compile_expanded(const std::string& expanded, std::string_view name, Stage stage) {
     if (Spirv cached = find_cached(expanded, stage); !cached.empty()) return cached;
     Spirv words = translate(expanded, name, stage);
     validate(words, name);

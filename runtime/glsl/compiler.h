@@ -35,7 +35,10 @@ std::string expand(const Sources& sources, std::string_view text, std::string_vi
 /// Thread-safe.
 Spirv compile(const Sources& sources, std::string_view text, std::string_view name, Stage stage);
 
-/// The same without looking into the cache and without leaving anything there: to measure it.
+/// The same of a text that was expanded already: what it was expanded from may have changed since.
+Spirv compile_expanded(const std::string& expanded, std::string_view name, Stage stage);
+
+/// The same as compile without looking into the cache and without leaving anything there: to measure it.
 Spirv compile_anew(const Sources& sources, std::string_view text, std::string_view name, Stage stage);
 
 /// What a translation unit that was expanded already is in the cache; empty if it is not there.
