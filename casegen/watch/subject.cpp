@@ -1,0 +1,201 @@
+#include "casegen/watch/subject.h"
+
+#include "casegen/compare.h"
+#include "casegen/verdict.h"
+#include "runtime/error.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace gnomon::watch {
+namespace {
+
+constexpr std::size_t samples_per_task = 2048;
+
+Records draw_all(const Case& c, const Sampler& sampler, std::size_t samples) {
+    Records records(c);
+    records.reserve(samples);
+    for (std::size_t i = 0; i < samples; ++i)
+        records.add_with([&](std::span<std::uint32_t> words) { return sampler.draw(i, words); });
+    return records;
+}
+
+/// How far apart two result words are: infinitely if only one of them is a number.
+double difference(Scalar scalar, std::uint32_t a, std::uint32_t b) {
+    const double x = widen(scalar, a), y = widen(scalar, b);
+    if (x == y || (std::isnan(x) && std::isnan(y))) return 0;
+    const double apart = std::abs(x - y);
+    return std::isnan(apart) ? std::numeric_limits<double>::infinity() : apart;
+}
+
+Judgement judgement_of(const CheckReport& report, const std::string& replay) {
+    const Case& c = *report.kernel;
+    Judgement judgement;
+    judgement.verdict = to_string(report.verdict);
+    judgement.good = is_good(report.verdict);
+    judgement.samples = report.samples;
+    judgement.failures = report.failures;
+    judgement.message = report.message;
+    if (report.worst) {
+        const Finding& worst = *report.worst;
+        judgement.worst = worst.error;
+        judgement.worst_call = format_call(c, worst.input, worst.mask ? &*worst.mask : nullptr);
+        judgement.got = format_result(c, worst.got);
+        if (worst.in_domain) judgement.want = format_result(c, worst.want);
+        judgement.replay = replay_command(c, worst, replay);
+    }
+    if (!judgement.good) judgement.explanation = explain_failure(report, replay);
+    return judgement;
+}
+
+} // namespace
+
+Subject::Subject(const Case& c, const CheckOptions& options, std::shared_ptr<const EdgePool> pool,
+                 std::span<const CsvInput> regressions)
+    : case_(c),
+      sampler_(c, options.seed.value_or(default_seed(c)), std::move(pool),
+               options.pins.empty() ? options.pins : options.pins / (c.name + ".csv"),
+               options.worst.empty() ? options.worst : options.worst / (c.name + ".csv"), regressions),
+      records_(draw_all(c, sampler_,
+                        std::max(options.samples.value_or(default_samples(c)), sampler_.fixed_count()))),
+      truths_(truths(c, records_)) {}
+
+Subject::Ran Subject::run(gpu::Device& device, glsl::Spirv words, const std::string& text,
+                          CheckReport& report) {
+    gpu::Kernel kernel = device.kernel(words, case_.name);
+    Outputs outputs = run_standalone(device, kernel, case_, records_);
+    report.samples = records_.size();
+    Ran ran;
+    ran.text = text;
+    ran.words = std::move(words);
+    ran.errors.resize(records_.size());
+    ran.failed.resize(records_.size());
+    const auto components = static_cast<std::size_t>(case_.reference.result.components);
+    // What came out as in the state before was judged there.
+    const Ran* known = ran_ && ran_->results.size() == outputs.words.size() ? &*ran_ : nullptr;
+    const auto judge_one = [&](std::size_t i) {
+        const std::span<const std::uint32_t> got(outputs.words.data() + i * components, components);
+        if (known && std::ranges::equal(got, std::span(known->results).subspan(i * components, components))) {
+            ran.errors[i] = known->errors[i];
+            ran.failed[i] = known->failed[i];
+            return;
+        }
+        const Agreement agreement =
+            gnomon::judge(case_, arguments(case_, records_.input(i), records_.mask(i)), got,
+                          truths_.empty() ? nullptr : &truths_[i]);
+        ran.errors[i] = agreement.error;
+        ran.failed[i] = agreement.pass ? 0 : 1;
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, records_.size(), samples_per_task),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i) judge_one(i);
+                      });
+    report.failures = static_cast<std::size_t>(std::ranges::count(ran.failed, 1));
+    if (report.failures > 0) report.verdict = Verdict::wrong;
+    const auto worst = static_cast<std::size_t>(std::ranges::max_element(ran.errors) -
+                                                ran.errors.begin()); // of equals the first
+    report.worst =
+        make_finding(case_, records_, worst, worst,
+                     std::span(outputs.words).subspan(worst * components, components), ran.errors[worst]);
+    add_complaint(case_, records_, 0, outputs, report);
+    ran.results = std::move(outputs.words);
+    return ran;
+}
+
+Moved Subject::compare(const Ran& before, const Ran& after) const {
+    const Type type = case_.reference.result;
+    const auto components = static_cast<std::size_t>(type.components);
+    Moved moved;
+    std::optional<std::size_t> at;
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+        const std::uint32_t* a = before.results.data() + i * components;
+        const std::uint32_t* b = after.results.data() + i * components;
+        if (std::equal(a, a + components, b)) continue;
+        ++moved.samples;
+        double largest = 0;
+        for (std::size_t k = 0; k < components; ++k)
+            largest = std::max(largest, difference(type.scalar, a[k], b[k]));
+        if (at && largest <= moved.largest) continue;
+        at = i;
+        moved.largest = largest;
+    }
+    if (!at) return moved;
+    const auto result = [&](const Ran& ran) {
+        return format_result(case_, std::span(ran.results).subspan(*at * components, components));
+    };
+    moved.call = format_call(case_, records_.input(*at), records_.mask(*at));
+    moved.before = result(before);
+    moved.after = result(after);
+    return moved;
+}
+
+Judgement Subject::judge(gpu::Device& device, const std::string& text, const std::string& before,
+                         const std::string& folder, const std::string& replay) {
+    CheckReport report;
+    report.kernel = &case_;
+    report.seed = sampler_.seed();
+    try {
+        if (before.empty()) {
+            ran_.reset();
+        } else if (!ran_ || ran_->text != before) { // a new process, or a state that was never shown
+            CheckReport ignored = report;
+            ran_ = run(device, compile_standalone_text(case_, before, folder), before, ignored);
+        }
+        glsl::Spirv words = compile_standalone_text(case_, text, folder);
+        if (ran_ && code_of(words) == code_of(ran_->words)) {
+            ran_->text = text;
+            Judgement same;
+            same.same_code = true;
+            return same;
+        }
+        Ran ran = run(device, std::move(words), text, report);
+        const bool repeatable = report.verdict == Verdict::pass || report.verdict == Verdict::wrong;
+        expect_what_the_table_says(report);
+        Judgement judgement = judgement_of(report, replay);
+        judgement.ran = true;
+        if (repeatable) judgement.results = hash_of(ran.results);
+        if (ran_) judgement.moved = compare(*ran_, ran);
+        ran_ = std::move(ran);
+        return judgement;
+    } catch (const CompileError& error) {
+        report.verdict = Verdict::compile_error;
+        report.message = error.what();
+    } catch (const KernelTimeout& error) {
+        report.verdict = Verdict::timeout;
+        report.message = error.what();
+    }
+    Judgement judgement = judgement_of(report, replay);
+    judgement.device_lost = report.verdict == Verdict::timeout;
+    return judgement;
+}
+
+glsl::Spirv code_of(const glsl::Spirv& words) {
+    constexpr std::size_t header = 5;
+    constexpr std::uint32_t op_source = 3, op_line = 8; // and in between: names, strings
+    glsl::Spirv code(words.begin(),
+                     words.begin() + static_cast<std::ptrdiff_t>(std::min(header, words.size())));
+    for (std::size_t i = header; i < words.size();) {
+        const std::size_t length = std::min<std::size_t>(std::max(words[i] >> 16, 1u), words.size() - i);
+        const std::uint32_t operation = words[i] & 0xffffu;
+        if (operation < op_source || operation > op_line)
+            code.insert(code.end(), words.begin() + static_cast<std::ptrdiff_t>(i),
+                        words.begin() + static_cast<std::ptrdiff_t>(i + length));
+        i += length;
+    }
+    return code;
+}
+
+std::uint64_t hash_of(std::span<const std::uint32_t> results) {
+    const std::string_view bytes(reinterpret_cast<const char*>(results.data()), results.size_bytes());
+    const std::uint64_t value = hash(bytes);
+    return value == 0 ? 1 : value; // 0 says that there is none
+}
+
+} // namespace gnomon::watch
