@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <set>
 
 #include <unistd.h>
 
@@ -18,7 +19,8 @@ namespace gnomon::cli {
 namespace {
 
 struct Options {
-    std::string pattern, format = "text", seed;
+    std::vector<std::string> patterns;
+    std::string format = "text", seed;
     std::optional<std::size_t> samples, edits;
     unsigned jobs = 0;
     bool poll = false, no_times = false;
@@ -41,8 +43,18 @@ int stop_by_signals() {
     return ends[0];
 }
 
+/// The kernels that any of the patterns names, each once, in the catalogue's order.
+std::vector<const Case*> cases_of(const std::vector<std::string>& patterns) {
+    std::set<const Case*> named;
+    for (const std::string& pattern : patterns)
+        for (const Case* c : find_cases(pattern)) named.insert(c);
+    std::vector<const Case*> cases = find_cases("");
+    if (!patterns.empty()) std::erase_if(cases, [&](const Case* c) { return !named.contains(c); });
+    return cases;
+}
+
 int run(const Options& options, const Common& common, bool limited, const std::string& replay) {
-    const std::vector<const Case*> cases = find_cases(options.pattern);
+    const std::vector<const Case*> cases = cases_of(options.patterns);
     watch::SessionOptions session;
     session.check.kernels = common.kernels;
     session.check.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
@@ -82,8 +94,8 @@ void add_watch(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "watch", "stay, and check kernels again on every save: verdict, what moved, time before and after");
     auto options = std::make_shared<Options>();
-    verb->add_option("PATTERN", options->pattern,
-                     "part of a name, or a pattern with * and ? (default: all kernels)");
+    verb->add_option("PATTERN", options->patterns,
+                     "parts of names, or patterns with * and ? (default: all kernels)");
     verb->add_option("--samples", options->samples, "inputs per kernel (default: as check)")
         ->check(CLI::Range(std::size_t{1}, watch::most_samples));
     verb->add_option("--seed", options->seed, "of all kernels (default: each its own, as check)");
@@ -104,7 +116,7 @@ void add_watch(CLI::App& app, Common& common, int& exit_code) {
     verb->footer(
         "Exit code 1 if a kernel is not good at the end. A dispatch may take 2 s unless --time-limit "
         "says otherwise.\n\n"
-        "  gnomon watch smsr                     a family, while its files are edited\n"
+        "  gnomon watch smsr rsmss               two families, while their files are edited\n"
         "  gnomon watch smsr/case_09 --format json");
     verb->callback([options, &app, &common, &exit_code] {
         exit_code = run(*options, common, app.count("--time-limit") > 0, replay_options(app));

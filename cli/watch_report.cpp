@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gnomon::cli {
@@ -68,10 +69,18 @@ std::string text_of(const watch::SameCode& told) {
 
 std::string text_of(const watch::Timed& told) {
     const measure::PaceVerdict& pace = told.pace;
-    std::string text =
-        fmt::format("{} {:.2f} -> {:.2f} ns per evaluation: {} (x {:.3f}, from {:.3f} to {:.3f}){}\n",
-                    name_of(*told.kernel), told.before, told.after, measure::to_string(pace.pace), pace.ratio,
-                    pace.interval.lower, pace.interval.upper, pace.reason.empty() ? "" : "; " + pace.reason);
+    const auto net = [&](double gross) { return std::max(0.0, gross - told.reading); };
+    std::string text = name_of(*told.kernel) + ' ';
+    if (told.before > told.reading)
+        text += fmt::format("{:.2f} -> {:.2f} ns per evaluation: {} (x {:.2f}, from {:.2f} to {:.2f}){}\n",
+                            net(told.before), net(told.after), measure::to_string(pace.pace), pace.ratio,
+                            pace.interval.lower, pace.interval.upper,
+                            pace.reason.empty() ? "" : "; " + pace.reason);
+    else
+        text +=
+            fmt::format("{:.2f} -> {:.2f} ns per evaluation with reading its inputs, which takes {:.2f}: too "
+                        "short to compare\n",
+                        told.before, told.after, told.reading);
     if (!told.same_results)
         text += fmt::format("  optimised code has other results than those judged: gnomon check {}\n",
                             told.kernel->name);
@@ -150,6 +159,7 @@ Json json_of(const watch::Timed& told) {
             {"kernel", told.kernel->name},
             {"nanoseconds_before", told.before},
             {"nanoseconds_after", told.after},
+            {"nanoseconds_reading", told.reading},
             {"pace", measure::to_string(pace.pace)},
             {"ratio", number(pace.ratio)},
             {"ratio_from", number(pace.interval.lower)},

@@ -40,10 +40,14 @@ double run_once(gpu::Device& device, Loop& loop, const LoopBuffers& buffers) {
 
 Loop make_loop(gpu::Device& device, const Case& c, const glsl::Sources& sources, Repeated what,
                const LoopBuffers& buffers, double nanoseconds) {
-    Loop loop{
-        device.kernel(glsl::compile(sources, repeated_source(c, what), standalone_name, glsl::Stage::compute),
-                      c.name),
-        what == Repeated::calls && c.reference.takes_mask, least_threads};
+    return make_loop(device, c,
+                     glsl::compile(sources, repeated_source(c, what), standalone_name, glsl::Stage::compute),
+                     what, buffers, nanoseconds);
+}
+
+Loop make_loop(gpu::Device& device, const Case& c, const glsl::Spirv& words, Repeated what,
+               const LoopBuffers& buffers, double nanoseconds) {
+    Loop loop{device.kernel(words, c.name), what == Repeated::calls && c.reference.takes_mask, least_threads};
     run_once(device, loop, buffers);
     const double one = run_once(device, loop, buffers) * evaluations_per_thread;
     const double threads = one > 0 ? nanoseconds / one : most_threads;

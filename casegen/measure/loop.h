@@ -34,6 +34,10 @@ LoopBuffers upload_for_loops(gpu::Device& device, const Case& c, const Records& 
 Loop make_loop(gpu::Device& device, const Case& c, const glsl::Sources& sources, Repeated what,
                const LoopBuffers& buffers, double nanoseconds = 8e6);
 
+/// The same of a loop that is compiled already.
+Loop make_loop(gpu::Device& device, const Case& c, const glsl::Spirv& words, Repeated what,
+               const LoopBuffers& buffers, double nanoseconds = 8e6);
+
 /// Nanoseconds per evaluation. Throws KernelTimeout.
 double run_once(gpu::Device& device, Loop& loop, const LoopBuffers& buffers);
 

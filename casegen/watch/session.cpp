@@ -74,7 +74,6 @@ struct Worker {
     std::optional<std::size_t> kernel; ///< at which it is
     Texts texts;                       ///< of it
     double sent = 0;
-    std::set<std::size_t> knows; ///< kernels whose samples it holds
 };
 
 /// A kernel whose time is to be taken, or being taken.
@@ -91,9 +90,10 @@ class Session {
 public:
     Session(std::span<const Case* const> cases, const SessionOptions& options,
             const std::function<void(const Event&)>& tell)
-        : options_(options), tell_(tell), texts_(options.check.kernels),
+        : options_(options), tell_(tell),
           folder_(options.check.kernels,
-                  options.poll ? FolderWatch::How::polling : FolderWatch::How::inotify_if_possible) {
+                  options.poll ? FolderWatch::How::polling : FolderWatch::How::inotify_if_possible),
+          texts_(options.check.kernels) {
         shared_.cases.assign(cases.begin(), cases.end());
         shared_.options = options.check;
         shared_.options.device.isolated = false; // a process each
@@ -114,7 +114,7 @@ public:
         const std::size_t jobs =
             std::min<std::size_t>(options_.check.jobs > 0 ? options_.check.jobs : cores, kernels_.size());
         for (std::size_t i = 0; i < jobs; ++i) {
-            Worker worker{start_judge(shared_), {}, {}, 0, {}};
+            Worker worker{start_judge(shared_), {}, {}, 0};
             workers_.push_back(std::move(worker));
         }
         if (options_.times) stopwatch_.emplace(start_stopwatch(shared_));
@@ -313,7 +313,6 @@ private:
     void restart(Worker& worker) {
         worker.child = start_judge(shared_);
         worker.kernel.reset();
-        worker.knows.clear();
     }
 
     void hear(Worker& worker) {
@@ -329,7 +328,6 @@ private:
         const bool wanted = watched.now.alone == texts.alone;
         Judgement judgement;
         if (answer.kind == Answer::Kind::message) {
-            worker.knows.insert(*worker.kernel);
             worker.kernel.reset();
             judgement = parse_judgement(answer.text);
             if (judgement.device_lost) restart(worker);
@@ -345,13 +343,13 @@ private:
     }
 
     double patience(const Worker& worker) const {
-        if (!worker.knows.contains(*worker.kernel)) return first_patience;
+        if (!kernels_[*worker.kernel].known) return first_patience;
         return compile_patience + 4 * options_.check.device.time_limit;
     }
 
     void end_if_overdue(Worker& worker, double now) {
         if (!worker.kernel) return;
-        if (outdated(worker) && now - worker.sent > overdue && worker.knows.contains(*worker.kernel)) {
+        if (outdated(worker) && now - worker.sent > overdue && kernels_[*worker.kernel].known) {
             restart(worker);
         } else if (now - worker.sent > patience(worker)) {
             Watched& watched = kernels_[*worker.kernel];
@@ -417,8 +415,12 @@ private:
         }
         const std::size_t rounds = timing_->times.a.size();
         if (rounds == timed_rounds) {
-            tell_times();
-            timing_.reset();
+            try {
+                tell_times();
+                timing_.reset();
+            } catch (const Error& error) {
+                end_timing(error.what());
+            }
             return;
         }
         TimeRequest request;
@@ -429,17 +431,19 @@ private:
         stopwatch_->send(format(request));
     }
 
+    /// Throws Error if the device's clock stood still.
     void tell_times() {
         const measure::PairedTimes& times = timing_->times;
-        const auto net = [&](std::vector<double> values) {
+        const auto median = [](std::vector<double> values) {
             std::ranges::sort(values);
-            return std::max(0.0, measure::quantile(values, 0.5) - times.floor);
+            return measure::quantile(values, 0.5);
         };
         Timed told;
         told.kernel = kernels_[timing_->kernel].kernel;
         told.edit = timing_->edit;
-        told.before = net(times.a);
-        told.after = net(times.b);
+        told.before = median(times.a);
+        told.after = median(times.b);
+        told.reading = times.floor;
         told.pace = measure::judge_times(times);
         told.same_results = timing_->same_results;
         tell_(told);
@@ -520,8 +524,8 @@ private:
     SessionOptions options_;
     const std::function<void(const Event&)>& tell_;
     Shared shared_;
+    FolderWatch folder_; // before the texts: what changes while they are read is told afterwards
     FolderTexts texts_;
-    FolderWatch folder_;
     std::vector<Watched> kernels_;
     std::vector<Worker> workers_;
     std::optional<Child> stopwatch_;

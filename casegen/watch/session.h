@@ -54,7 +54,8 @@ struct SameCode { ///< the text is another, what it compiles to is not
 struct Timed {
     const Case* kernel = nullptr;
     std::size_t edit = 0;
-    double before = 0, after = 0; ///< nanoseconds per evaluation: medians, without reading the inputs
+    double before = 0, after = 0; ///< nanoseconds per evaluation: medians, with reading the inputs
+    double reading = 0;           ///< of them for reading alone
     measure::PaceVerdict pace;
     bool same_results = true; ///< optimised code gives the bits that were judged
 };

@@ -2,16 +2,15 @@
 // the code that the optimising compiler makes.
 #pragma once
 
+#include "casegen/measure/loop.h"
 #include "casegen/watch/message.h"
 #include "casegen/watch/subject.h"
 
 #include <array>
-#include <cstdint>
 #include <list>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace gnomon::watch {
 
@@ -28,25 +27,20 @@ public:
     Times round(unsigned number);
 
 private:
-    struct Loop {
+    struct Kept {
         std::string text;
-        gpu::Kernel kernel;
+        measure::Loop loop;
     };
-    struct Inputs {
-        const Case* kernel = nullptr;
-        gpu::Buffer records, masks, results;
-        double floor = 0; ///< nanoseconds that reading a record takes
-    };
-    std::shared_ptr<Loop> make(const Case& c, const std::string& text);
-    std::shared_ptr<Loop> loop(const Case& c, const std::string& text);
-    double run(gpu::Kernel& kernel, std::uint32_t threads, bool reads_masks);
     void upload(const Case& c, const Subject& subject);
+    std::shared_ptr<Kept> make(const Case& c, const std::string& text);
+    std::shared_ptr<Kept> find(const Case& c, const std::string& text);
 
     gpu::Device device_;
-    std::list<std::shared_ptr<Loop>> kept_; ///< the latest first
-    Inputs inputs_;
-    std::array<std::shared_ptr<Loop>, 3> turns_; ///< before, after, before again
-    std::uint32_t threads_ = 0;
+    const Case* kernel_ = nullptr; ///< that the buffers are of
+    measure::LoopBuffers buffers_;
+    double floor_ = 0;                           ///< nanoseconds that reading a record takes
+    std::list<std::shared_ptr<Kept>> kept_;      ///< the latest first
+    std::array<std::shared_ptr<Kept>, 3> turns_; ///< before, after, before again
 };
 
 } // namespace gnomon::watch

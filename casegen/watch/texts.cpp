@@ -19,11 +19,15 @@ fs::path named(const fs::path& folder) {
     return absolute.has_filename() ? absolute : absolute.parent_path();
 }
 
+/// Else it is an editor's or somebody's own, and read only if something includes it.
+bool is_glsl(const fs::path& file) { return file.extension() == ".glsl" || file.extension() == ".glslh"; }
+
 } // namespace
 
 FolderTexts::FolderTexts(const fs::path& folder) : sources_(kernel_sources(named(folder))) { read_all(); }
 
 void FolderTexts::read(const std::string& file) {
+    if (!is_glsl(file)) return;
     try {
         sources_.overlaid[file] = read_file(sources_.root / file);
     } catch (const Error&) {
@@ -35,11 +39,8 @@ void FolderTexts::read_all() {
     sources_.overlaid.clear();
     std::error_code error;
     for (fs::recursive_directory_iterator entry(sources_.root, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const fs::path kind = entry->path().extension();
-        if (kind == ".glsl" || kind == ".glslh")
-            read(entry->path().lexically_relative(sources_.root).generic_string());
-    }
+         entry.increment(error))
+        read(entry->path().lexically_relative(sources_.root).generic_string());
 }
 
 Texts FolderTexts::of(const Case& c) const {

@@ -1,0 +1,210 @@
+// How long an author waits for a verdict while `gnomon watch` is resident: from the save of a file to the
+// line with the verdict, and to the line with the time of an evaluation before and after. Every edit is code
+// that no cache has seen; targets take turns, so that a machine that slows down slows all of them alike.
+// Medians and ranges.
+//
+//     build/bench/check_watch [EDITS]          edits per target (default 15)
+#include "runtime/error.h"
+#include "runtime/files.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using gnomon::Error;
+using Json = nlohmann::json;
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// `gnomon watch … --format json`, and the events that it tells.
+class Watch {
+public:
+    Watch(const fs::path& kernels, const std::vector<std::string>& patterns) {
+        std::vector<std::string> words{GNOMON_PROGRAM, "watch", "--format", "json", "--kernels", kernels};
+        words.insert(words.end(), patterns.begin(), patterns.end());
+        std::vector<char*> argv;
+        for (std::string& word : words) argv.push_back(word.data());
+        argv.push_back(nullptr);
+        std::array<int, 2> ends{};
+        if (pipe(ends.data()) != 0) throw Error("no pipe");
+        child_ = fork();
+        if (child_ == 0) {
+            dup2(ends[1], STDOUT_FILENO);
+            close(ends[0]);
+            execv(argv[0], argv.data());
+            _exit(126);
+        }
+        close(ends[1]);
+        out_ = ends[0];
+    }
+    ~Watch() {
+        kill(child_, SIGINT);
+        waitpid(child_, nullptr, 0);
+        close(out_);
+    }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+    /// The next event of this kind, passing over others.
+    Json next(const std::string& kind) {
+        for (;;) {
+            while (text_.find('\n') == text_.npos) {
+                pollfd polled{out_, POLLIN, 0};
+                if (poll(&polled, 1, 300000) <= 0) throw Error("no {} within 300 s", kind);
+                std::array<char, 4096> bytes{};
+                const ssize_t count = read(out_, bytes.data(), bytes.size());
+                if (count <= 0) throw Error("gnomon watch ended before it told a {}", kind);
+                text_.append(bytes.data(), static_cast<std::size_t>(count));
+            }
+            const std::size_t end = text_.find('\n');
+            Json event = Json::parse(text_.substr(0, end));
+            text_.erase(0, end + 1);
+            if (event.at("event") == kind) return event;
+            if (event.at("event") == "not_timed") throw Error("not timed: {}", event.at("message").dump());
+        }
+    }
+
+private:
+    pid_t child_ = -1;
+    int out_ = -1;
+    std::string text_;
+};
+
+/// One text of a kernel's file, which becomes another one with every edit: {} is the edit's number.
+struct Target {
+    std::string what, kernel, from, to;
+    bool good = true; ///< the verdict that the edit must get
+    double milliseconds = 50;
+    std::vector<double> verdicts{}, times{};
+};
+
+std::vector<Target> targets() {
+    return {
+        {"a visibility case, no result moves", "smsr/case_09", "    return 1.0 - p.y",
+         "    if (p.x == -{}.5) return 0.5;\n    return 1.0 - p.y"},
+        {"the same, every lit result moves", "smsr/case_09", "0.0 : 1.0;", "0.0 : 1.0 - {}e-4;", false},
+        {"an RSMSS case", "rsmss/case_17", "    return type_x",
+         "    if (p.x == -{}.5) return 0.5;\n    return type_x"},
+        {"a visibility kernel, all its cases in it", "smsr/visibility", "    if (!lit(texel))",
+         "    if (p.x == -{}.5) return 0.5;\n    if (!lit(texel))", true, 0},
+        {"a cheap integral", "integral/elementary/sinc", "    return abs(x)",
+         "    if (x == {}.5e30) return 0.0;\n    return abs(x)", true, 100},
+        {"a fit", "integral/fit/l2", "    float m = lobe.m",
+         "    if (lambda == -{}.5e30) return 0.0;\n    float m = lobe.m", true, 100},
+        {"a radiance", "integral/sinc/radiance", "    if (half_width == 0.0)",
+         "    if (phi == {}.5e30) return 0.0;\n    if (half_width == 0.0)", true, 100},
+        {"the same, every result moves", "integral/sinc/radiance", "return bounded(alpha",
+         "return bounded((1.0 + {}e-3) * alpha", false, 100},
+    };
+}
+
+std::string processor() {
+    std::ifstream cpuinfo("/proc/cpuinfo");
+    for (std::string line; std::getline(cpuinfo, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "unknown processor";
+}
+
+std::string edited(const Target& target, const std::string& original, int edit) {
+    std::string text = original;
+    const std::size_t at = text.find(target.from);
+    if (at == text.npos) throw Error("{} does not say \"{}\"", target.kernel, target.from);
+    std::string to = target.to;
+    to.replace(to.find("{}"), 2, std::to_string(edit));
+    return text.replace(at, target.from.size(), to);
+}
+
+void measure_edit(Watch& watch, Target& target, const fs::path& file, const std::string& original, int edit) {
+    const std::string text = edited(target, original, edit);
+    const Clock::time_point start = Clock::now();
+    gnomon::write_file(file, text);
+    const Json verdict = watch.next("verdict");
+    target.verdicts.push_back(milliseconds_since(start));
+    if (verdict.at("kernel") != target.kernel || verdict.at("good") != target.good)
+        throw Error("an edit of {} came to {}", target.kernel, verdict.dump());
+    watch.next("time");
+    target.times.push_back(milliseconds_since(start));
+    if (target.good) return;
+    gnomon::write_file(file, original); // so that the next edit is one of a kernel that is right
+    watch.next("verdict");
+    watch.next("time");
+}
+
+std::string summary(std::vector<double> values) {
+    std::ranges::sort(values);
+    return fmt::format("{:>5.0f} ms ({:.0f} to {:.0f})", values[values.size() / 2], values.front(),
+                       values.back());
+}
+
+void measure(int edits, const fs::path& folder) {
+    const fs::path kernels = folder / "kernels";
+    fs::create_directories(folder);
+    fs::copy(GNOMON_SOURCE_DIR "/kernels", kernels, fs::copy_options::recursive);
+    setenv("GNOMON_CACHE", (folder / "cache").c_str(), 1);
+    std::vector<Target> all = targets();
+    std::vector<std::string> patterns;
+    for (const Target& target : all) patterns.push_back(target.kernel);
+    Watch watch(kernels, patterns);
+    watch.next("settled");
+    for (int edit = 1; edit <= edits; ++edit)
+        for (Target& target : all) {
+            const fs::path file = kernels / (target.kernel + ".glsl");
+            const std::string original =
+                gnomon::read_file(GNOMON_SOURCE_DIR "/kernels/" + target.kernel + ".glsl");
+            measure_edit(watch, target, file, original, edit);
+        }
+    fmt::print("{} threads of {}; {} edits each; from the save to the line\n",
+               std::thread::hardware_concurrency(), processor(), edits);
+    fmt::print("{:<42}{:<26}{:>22}{:>9}{:>26}\n", "what is edited", "kernel", "verdict", "target", "time");
+    for (const Target& target : all)
+        fmt::print("{:<42}{:<26}{:>22}{:>9}{:>26}\n", target.what, target.kernel, summary(target.verdicts),
+                   target.milliseconds > 0 ? fmt::format("{:.0f} ms", target.milliseconds) : "",
+                   summary(target.times));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    int edits = 15;
+    if (argc > 1) {
+        const std::string_view text = argv[1];
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), edits);
+        if (argc > 2 || error != std::errc{} || end != text.data() + text.size() || edits < 1) {
+            fmt::print(stderr, "check_watch takes one number: how many edits of each target (default 15)\n");
+            return 2;
+        }
+    }
+    const fs::path folder = fs::temp_directory_path() / fmt::format("gnomon-watch-{}", getpid());
+    int exit_code = 0;
+    try {
+        measure(edits, folder);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "check_watch: {}\n", error.what());
+        exit_code = 2;
+    }
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+    return exit_code;
+}
