@@ -22,8 +22,8 @@ public:
     /// `subject` with those that were judged. Throws CompileError, KernelTimeout.
     Times begin(const Case& c, Subject& subject, const TimeRequest& request, const std::string& folder);
 
-    /// Nanoseconds per evaluation of the state before, the one after, and the one before again, in an order
-    /// that changes with the round's number.
+    /// Nanoseconds per evaluation of the state before, the one after, the one before again, and of reading
+    /// the inputs alone, in an order that changes with the round's number.
     Times round(unsigned number);
 
 private:
@@ -38,7 +38,7 @@ private:
     gpu::Device device_;
     const Case* kernel_ = nullptr; ///< that the buffers are of
     measure::LoopBuffers buffers_;
-    double floor_ = 0;                           ///< nanoseconds that reading a record takes
+    measure::Loop reads_;
     std::list<std::shared_ptr<Kept>> kept_;      ///< the latest first
     std::array<std::shared_ptr<Kept>, 3> turns_; ///< before, after, before again
 };
