@@ -69,18 +69,12 @@ std::string text_of(const watch::SameCode& told) {
 
 std::string text_of(const watch::Timed& told) {
     const measure::PaceVerdict& pace = told.pace;
-    const auto net = [&](double gross) { return std::max(0.0, gross - told.reading); };
-    std::string text = name_of(*told.kernel) + ' ';
-    if (told.before > told.reading)
-        text += fmt::format("{:.2f} -> {:.2f} ns per evaluation: {} (x {:.2f}, from {:.2f} to {:.2f}){}\n",
-                            net(told.before), net(told.after), measure::to_string(pace.pace), pace.ratio,
-                            pace.interval.lower, pace.interval.upper,
-                            pace.reason.empty() ? "" : "; " + pace.reason);
-    else
-        text +=
-            fmt::format("{:.2f} -> {:.2f} ns per evaluation with reading its inputs, which takes {:.2f}: too "
-                        "short to compare\n",
-                        told.before, told.after, told.reading);
+    const double off = told.with_reading ? 0 : told.reading;
+    std::string text = fmt::format(
+        "{} {:.2f} -> {:.2f} ns per evaluation{}: {} (x {:.2f}, from {:.2f} to {:.2f}){}\n",
+        name_of(*told.kernel), told.before - off, std::max(0.0, told.after - off),
+        told.with_reading ? ", reading its inputs included" : "", measure::to_string(pace.pace), pace.ratio,
+        pace.interval.lower, pace.interval.upper, pace.reason.empty() ? "" : "; " + pace.reason);
     if (!told.same_results)
         text += fmt::format("  optimised code has other results than those judged: gnomon check {}\n",
                             told.kernel->name);
@@ -160,6 +154,7 @@ Json json_of(const watch::Timed& told) {
             {"nanoseconds_before", told.before},
             {"nanoseconds_after", told.after},
             {"nanoseconds_reading", told.reading},
+            {"pace_includes_reading", told.with_reading},
             {"pace", measure::to_string(pace.pace)},
             {"ratio", number(pace.ratio)},
             {"ratio_from", number(pace.interval.lower)},

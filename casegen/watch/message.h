@@ -50,7 +50,7 @@ struct TimeRequest {
     unsigned round = 0;
 };
 
-/// Nanoseconds per evaluation: of a round, or (floor) of reading the inputs.
+/// Nanoseconds per evaluation of one round; of `begin` none yet. `floor`: of reading the inputs alone.
 struct Times {
     std::string cannot;
     bool device_lost = false;

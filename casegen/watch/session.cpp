@@ -83,6 +83,7 @@ struct Timing {
     bool begun = false, outdated = false;
     double sent = 0;
     measure::PairedTimes times;
+    std::vector<double> reading;
     bool same_results = true;
 };
 
@@ -406,12 +407,12 @@ private:
         }
         if (!timing_->begun) {
             timing_->begun = true;
-            timing_->times.floor = times.floor;
             timing_->same_results = times.same_results;
         } else {
             timing_->times.a.push_back(times.before);
             timing_->times.b.push_back(times.after);
             timing_->times.again.push_back(times.again);
+            timing_->reading.push_back(times.floor);
         }
         const std::size_t rounds = timing_->times.a.size();
         if (rounds == timed_rounds) {
@@ -433,7 +434,7 @@ private:
 
     /// Throws Error if the device's clock stood still.
     void tell_times() {
-        const measure::PairedTimes& times = timing_->times;
+        measure::PairedTimes& times = timing_->times;
         const auto median = [](std::vector<double> values) {
             std::ranges::sort(values);
             return measure::quantile(values, 0.5);
@@ -443,7 +444,10 @@ private:
         told.edit = timing_->edit;
         told.before = median(times.a);
         told.after = median(times.b);
-        told.reading = times.floor;
+        told.reading = median(timing_->reading);
+        // What is lost in reading its inputs can only be compared together with it.
+        told.with_reading = told.reading >= told.before;
+        times.floor = told.with_reading ? 0 : told.reading;
         told.pace = measure::judge_times(times);
         told.same_results = timing_->same_results;
         tell_(told);

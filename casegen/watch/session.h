@@ -56,6 +56,7 @@ struct Timed {
     std::size_t edit = 0;
     double before = 0, after = 0; ///< nanoseconds per evaluation: medians, with reading the inputs
     double reading = 0;           ///< of them for reading alone
+    bool with_reading = false;    ///< `pace` compares them so: without, nothing would be left
     measure::PaceVerdict pace;
     bool same_results = true; ///< optimised code gives the bits that were judged
 };

@@ -1,7 +1,5 @@
 #include "casegen/watch/stopwatch.h"
 
-#include "casegen/measure/quantiles.h"
-
 #include <algorithm>
 #include <numeric>
 #include <vector>
@@ -9,11 +7,8 @@
 namespace gnomon::watch {
 namespace {
 
-using measure::Loop;
-
 constexpr std::size_t most_kept = 16;
 constexpr double wanted_nanoseconds = 4e6; // of one dispatch
-constexpr int floor_runs = 5;
 
 } // namespace
 
@@ -25,12 +20,7 @@ void Stopwatch::upload(const Case& c, const Subject& subject) {
     std::vector<std::size_t> chosen(count - begin);
     std::iota(chosen.begin(), chosen.end(), begin);
     buffers_ = measure::upload_for_loops(device_, c, subject.records(), chosen, default_seed(c));
-    Loop reads =
-        measure::make_loop(device_, c, glsl::Sources{}, Repeated::reads, buffers_, wanted_nanoseconds);
-    std::vector<double> floors;
-    for (int i = 0; i < floor_runs; ++i) floors.push_back(measure::run_once(device_, reads, buffers_));
-    std::ranges::sort(floors);
-    floor_ = measure::quantile(floors, 0.5);
+    reads_ = measure::make_loop(device_, c, glsl::Sources{}, Repeated::reads, buffers_, wanted_nanoseconds);
     kernel_ = &c;
 }
 
@@ -68,21 +58,21 @@ Times Stopwatch::begin(const Case& c, Subject& subject, const TimeRequest& reque
     const auto threads = [](const auto& turn) { return turn->loop.threads; };
     const std::uint32_t fewest = threads(*std::ranges::min_element(turns_, {}, threads));
     for (const auto& turn : turns_) turn->loop.threads = fewest;
-    times.floor = floor_;
     return times;
 }
 
 Times Stopwatch::round(unsigned number) {
-    std::array<double, 3> taken{};
-    for (std::size_t i = 0; i < turns_.size(); ++i) {
-        const std::size_t turn = (i + number) % turns_.size();
-        taken[turn] = measure::run_once(device_, turns_[turn]->loop, buffers_);
+    const std::array<measure::Loop*, 4> loops{&turns_[0]->loop, &turns_[1]->loop, &turns_[2]->loop, &reads_};
+    std::array<double, 4> taken{};
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        const std::size_t turn = (i + number) % loops.size();
+        taken[turn] = measure::run_once(device_, *loops[turn], buffers_);
     }
     Times times;
     times.before = taken[0];
     times.after = taken[1];
     times.again = taken[2];
-    times.floor = floor_;
+    times.floor = taken[3];
     return times;
 }
 
