@@ -33,14 +33,6 @@ struct Prepared {
     Records first; ///< the first dispatch's inputs
 };
 
-Records draw_records(const Case& c, const Sampler& sampler, std::size_t begin, std::size_t end) {
-    Records records(c);
-    records.reserve(end - begin);
-    for (std::size_t i = begin; i < end; ++i)
-        records.add_with([&](std::span<std::uint32_t> words) { return sampler.draw(i, words); });
-    return records;
-}
-
 Prepared prepare(const Case& c, const CheckOptions& options, const glsl::Sources& sources,
                  const std::shared_ptr<const EdgePool>& pool, std::uint64_t seed,
                  std::span<const CsvInput> regressions) {
@@ -299,8 +291,9 @@ std::vector<std::string> explain_failure(const CheckReport& report, const std::s
                                      ? format_result(c, f.want)
                                      : fmt::format("anything from {:g} to {:g} (input outside the domain)",
                                                    c.result.lower, c.result.upper);
+        const bool exactly = f.in_domain && exact_at(c, arguments(c, f.input, f.mask ? &*f.mask : nullptr));
         lines.push_back(fmt::format("got {}, want {}, allowed {}", format_result(c, f.got), want,
-                                    to_string(c.tolerance)));
+                                    exactly ? "no error: nothing is rounded here" : to_string(c.tolerance)));
         lines.push_back(replay_command(c, f, options));
     }
     if (report.verdict == Verdict::wrong)

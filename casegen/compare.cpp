@@ -75,6 +75,10 @@ double unit_of_error(const Truth& truth, std::size_t component) {
     return unit < smallest_normal ? smallest_normal : unit;
 }
 
+bool exact_at(const Case& c, const Arguments& arguments) {
+    return c.exact_where && c.exact_where(std::span(arguments.numbers).first(c.reference.words.size()));
+}
+
 Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::uint32_t> result,
                 const Truth* known) {
     const Type type = c.reference.result;
@@ -102,6 +106,10 @@ Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::
     for (std::size_t k = 0; k < components; ++k) {
         if (std::isnan(want[k])) return {false, infinity}; // a gap of the reference agrees with nothing
         error = std::max(error, error_of(c.tolerance, got[k], want[k], type.scalar));
+    }
+    if (error > 0 && exact_at(c, arguments)) {
+        for (std::size_t k = 0; k < components; ++k)
+            if (error_of(exact(), got[k], want[k], type.scalar) > 0) return {false, error};
     }
     if (c.tolerance.kind != Tolerance::Kind::input_within) return {error <= c.tolerance.amount, error};
     if (error == 0) return {true, 0};

@@ -23,10 +23,13 @@ double ulps_between(float a, float b);
 /// rounding of its scale, nor than the smallest normal float, below which a device may flush to zero.
 double unit_of_error(const Truth& truth, std::size_t component);
 
+/// Whether the case asks for the reference's answer to the last bit here (Case::exact_where).
+bool exact_at(const Case& c, const Arguments& arguments);
+
 /// The case's verdict on result words for one input. NaN never passes, nor does anything outside the result's
 /// range, whatever the input (unless the case is not defended and the input outside its domain); agreement
-/// with the reference is asked for on the case's domain only. `known`: the reference's truth there, if it is
-/// at hand.
+/// with the reference is asked for on the case's domain only, and to the last bit where it is exact_at.
+/// `known`: the reference's truth there, if it is at hand.
 Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::uint32_t> result,
                 const Truth* known = nullptr);
 

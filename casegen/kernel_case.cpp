@@ -162,6 +162,11 @@ std::vector<std::string> columns(const Case& c) {
     return names;
 }
 
+bool on_grid(std::span<const double> numbers) {
+    return std::ranges::all_of(numbers,
+                               [](double number) { return number * 0x1p22 == std::trunc(number * 0x1p22); });
+}
+
 bool in_domain(const Case& c, const Arguments& arguments) {
     std::size_t word = 0;
     for (std::size_t i = 0; i < c.parameters.size(); ++i) {

@@ -155,6 +155,10 @@ struct Case {
     std::vector<Parameter> parameters; ///< as many as the reference takes, in its order
     Result result;
     Tolerance tolerance;
+    /// Inputs, one number per word, on which every intermediate result is a float: there the kernel must
+    /// answer what the reference says to the last bit, whatever the tolerance; optional. On the border that a
+    /// step lies on a tolerance lets either answer pass, and these inputs tell which is right.
+    std::function<bool(std::span<const double> numbers)> exact_where;
     /// Inputs that the kernel is defined on, beyond its parameters' domains (they depend on each other);
     /// optional.
     std::function<bool(const Arguments&)> where;
@@ -177,6 +181,10 @@ struct Case {
     /// How it answers what no caller should ask: NaN, intervals that end before they begin.
     std::string rule;
 };
+
+/// For exact_where: all are multiples of 2^-22, so that among numbers of magnitude 1 sums of a few stay
+/// exact.
+bool on_grid(std::span<const double> numbers);
 
 inline bool applies(const Case& c, const reference::Edge& edge) {
     return c.condition.empty() || holds(c.condition, edge);

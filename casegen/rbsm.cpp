@@ -78,6 +78,7 @@ const Family& silhouette() {
                 .parameters = {along_x(), along_y()},
                 .result = visibility,
                 .tolerance = input_within(0x1p-24), // half an ulp below 1, of 1 - along_y
+                .exact_where = on_grid,
                 .condition = shape_l(sets::lit),
                 .number = 3,
                 .formula = "0 if 1 - along_y < along_x; 1 otherwise",
@@ -158,6 +159,7 @@ const Family& filter() {
                 .parameters = {along_x(), along_y(), type(), entering()},
                 .result = visibility,
                 .tolerance = absolute(0x1p-24), // 1 - along
+                .exact_where = on_grid,
                 .condition = shape_u(any_light),
                 .number = 2,
                 .formula = "1 - along_y if t_h = 1 and entering; along_y if t_h = 1; 1 - along_x if "
@@ -174,6 +176,7 @@ const Family& filter() {
                 .parameters = {along_x(), along_y(), entering()},
                 .result = visibility,
                 .tolerance = absolute(0x1p-22), // two halves of an ulp below 1, one of 2, one below 1
+                .exact_where = on_grid,
                 .condition = shape_l(any_light),
                 .number = 3,
                 .formula = "2 - along_x - along_y if entering; along_x + along_y - 1 otherwise",

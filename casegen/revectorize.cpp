@@ -2,7 +2,9 @@
 #include "casegen/catalogue.h"
 #include "casegen/vocabulary.h"
 
+#include <algorithm>
 #include <cfloat>
+#include <cmath>
 
 namespace gnomon {
 
@@ -11,6 +13,16 @@ namespace ref = reference;
 
 Family revectorize_family() {
     const auto reach_is_walked = [](const Arguments& a) { return a.numbers[0] != 0 && a.numbers[1] != 0; };
+    // A position along a run of 1, 2, 4, 8 or 16 texels, or of more, which count as 16: nothing is rounded.
+    const auto on_even_run = [](std::span<const double> a, double longest) {
+        const double run = std::min(std::abs(a[0]) + std::abs(a[1]) - 1, longest);
+        return run > 0 && std::exp2(std::round(std::log2(run))) == run &&
+               a[2] * 0x1p16 == std::trunc(a[2] * 0x1p16);
+    };
+    const auto on_even_run_up_to_16 = [on_even_run](std::span<const double> a) { return on_even_run(a, 16); };
+    const auto on_even_run_of_any_length = [on_even_run](std::span<const double> a) {
+        return on_even_run(a, 64);
+    };
     const auto ends_once = [](const Arguments& a) { return a.numbers[0] * a.numbers[1] < 0; };
     return {
         "revectorize",
@@ -34,6 +46,7 @@ Family revectorize_family() {
                 .result = {0, 1, "1", "lit"},
                 // Rounding receiver - bias moves it by at most half an ulp of 1; denormals may flush.
                 .tolerance = input_within(0x1p-24),
+                .exact_where = on_grid,
             },
             {
                 .name = "revectorize/discontinuity",
@@ -74,6 +87,7 @@ Family revectorize_family() {
                 // from_end <= 17 rounds by 2^-20, divided by a run of at least from_end - 1: below 17/16
                 // 2^-24 x 2; the quotient and the difference add half an ulp of 1 each.
                 .tolerance = absolute(0x1p-22),
+                .exact_where = on_even_run_up_to_16,
                 .where = ends_once,
             },
             {
@@ -83,6 +97,7 @@ Family revectorize_family() {
                 .parameters = {reach(), c()},
                 .result = {0, 1, "1", "position along the run"},
                 .tolerance = absolute(0x1p-22), // as above
+                .exact_where = on_even_run_of_any_length,
                 .where = ends_once,
             },
             {
@@ -94,6 +109,7 @@ Family revectorize_family() {
                      c()},
                 .result = {0, 1, "1", "distance from the nearer end as part of the run"},
                 .tolerance = absolute(0x1p-22), // as above
+                .exact_where = on_even_run_up_to_16,
             },
             {
                 .name = "revectorize/neighbours",

@@ -180,15 +180,16 @@ std::string standalone_text(const Case& c, const glsl::Sources& sources) {
     return glsl::expand(sources, standalone_source(c), standalone_name);
 }
 
-glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources) {
-    return compile_standalone_text(c, standalone_text(c, sources), sources.root.filename().string());
+glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources, bool kept) {
+    return compile_standalone_text(c, standalone_text(c, sources), sources.root.filename().string(), kept);
 }
 
-glsl::Spirv compile_standalone_text(const Case& c, const std::string& text, const std::string& folder) {
+glsl::Spirv compile_standalone_text(const Case& c, const std::string& text, const std::string& folder,
+                                    bool kept) {
     const std::string file = fmt::format("{}/{}.glsl", folder, c.name);
     glsl::Spirv words;
     try {
-        words = glsl::compile_expanded(text, standalone_name, glsl::Stage::compute);
+        words = glsl::compile_expanded(text, standalone_name, glsl::Stage::compute, kept);
     } catch (const CompileError& error) {
         const std::string message = error.what();
         const bool linking = message.find("No function definition (body) found") != std::string::npos;
@@ -234,6 +235,14 @@ void Records::place_mask(std::size_t begin, const Mask* mask) {
                            static_cast<std::uint32_t>(mask->height),
                            static_cast<std::uint32_t>(mask->outside)};
     std::ranges::copy(words, words_.begin() + static_cast<std::ptrdiff_t>(begin + word_count_));
+}
+
+Records draw_records(const Case& c, const Sampler& sampler, std::size_t begin, std::size_t end) {
+    Records records(c);
+    records.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i)
+        records.add_with([&](std::span<std::uint32_t> words) { return sampler.draw(i, words); });
+    return records;
 }
 
 std::string Outputs::complaint() const {

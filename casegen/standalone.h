@@ -44,11 +44,13 @@ std::string standalone_text(const Case& c, const glsl::Sources& sources);
 
 /// That text, compiled; `folder` is what messages call the kernels' folder. Throws CompileError: on the
 /// author's line, or, if what fails is the generated call, a message that shows the signature which the table
-/// declares.
-glsl::Spirv compile_standalone_text(const Case& c, const std::string& text, const std::string& folder);
+/// declares. `kept` false neither looks into the cache nor leaves anything there: for a text that nobody asks
+/// for again.
+glsl::Spirv compile_standalone_text(const Case& c, const std::string& text, const std::string& folder,
+                                    bool kept = true);
 
 /// Both.
-glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources);
+glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources, bool kept = true);
 
 /// Inputs as the device reads them: per sample the parameters' words, then (if the kernel takes a mask) four
 /// that say where its mask is, padded to whole uvec4.
@@ -88,6 +90,9 @@ private:
     std::vector<const Mask*> mask_of_;                      ///< per record; null if the kernel takes none
     std::unordered_map<const Mask*, std::uint32_t> packed_; ///< the first word of each mask
 };
+
+/// Samples `begin` to `end` - 1. The sampler holds their masks.
+Records draw_records(const Case& c, const Sampler& sampler, std::size_t begin, std::size_t end);
 
 struct Outputs {
     /// What is wrong with the run itself, whatever the values: one sentence, or nothing.

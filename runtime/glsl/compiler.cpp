@@ -148,18 +148,17 @@ Spirv compile(const Sources& sources, std::string_view text, std::string_view na
     return compile_expanded(expand(sources, text, name), name, stage);
 }
 
-Spirv compile_expanded(const std::string& expanded, std::string_view name, Stage stage) {
-    if (Spirv cached = find_cached(expanded, stage); !cached.empty()) return cached;
+Spirv compile_expanded(const std::string& expanded, std::string_view name, Stage stage, bool kept) {
+    if (kept)
+        if (Spirv cached = find_cached(expanded, stage); !cached.empty()) return cached;
     Spirv words = translate(expanded, name, stage);
     validate(words, name);
-    store(cache_key(expanded, stage), words);
+    if (kept) store(cache_key(expanded, stage), words);
     return words;
 }
 
 Spirv compile_anew(const Sources& sources, std::string_view text, std::string_view name, Stage stage) {
-    Spirv words = translate(expand(sources, text, name), name, stage);
-    validate(words, name);
-    return words;
+    return compile_expanded(expand(sources, text, name), name, stage, false);
 }
 
 void warm_up() {

@@ -35,8 +35,9 @@ std::string expand(const Sources& sources, std::string_view text, std::string_vi
 /// Thread-safe.
 Spirv compile(const Sources& sources, std::string_view text, std::string_view name, Stage stage);
 
-/// The same of a text that was expanded already: what it was expanded from may have changed since.
-Spirv compile_expanded(const std::string& expanded, std::string_view name, Stage stage);
+/// The same of a text that was expanded already: what it was expanded from may have changed since. `kept`
+/// false neither looks into the cache nor leaves anything there.
+Spirv compile_expanded(const std::string& expanded, std::string_view name, Stage stage, bool kept = true);
 
 /// The same as compile without looking into the cache and without leaving anything there: to measure it.
 Spirv compile_anew(const Sources& sources, std::string_view text, std::string_view name, Stage stage);

@@ -8,6 +8,7 @@
 #include <cfloat>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace gnomon {
 namespace {
@@ -47,6 +48,35 @@ float next(float value, int count) {
     for (; count > 0; --count) value = std::nextafter(value, infinity);
     for (; count < 0; ++count) value = std::nextafter(value, -infinity);
     return value;
+}
+
+TEST(judge, asks_for_the_last_bit_where_nothing_is_rounded) {
+    for (const Tolerance& tolerance : all_kinds) {
+        Case c = make_case(step_at_half, tolerance);
+        c.exact_where = on_grid;
+        EXPECT_TRUE(judge_at(c, 0.5, 1.0f).pass) << to_string(tolerance);
+        EXPECT_FALSE(judge_at(c, 0.5, 0.0f).pass) << to_string(tolerance);
+        EXPECT_GT(judge_at(c, 0.5, 0.0f).error, 0);
+        Case smooth = make_case(identity, tolerance);
+        smooth.exact_where = on_grid;
+        EXPECT_TRUE(judge_at(smooth, 0.75, 0.75f).pass) << to_string(tolerance);
+        EXPECT_FALSE(judge_at(smooth, 0.75, next(0.75f, 1)).pass) << to_string(tolerance);
+    }
+    Case c = make_case(step_at_half, input_within(1e-3));
+    c.exact_where = on_grid;
+    const double off_grid = 0.5 + 0x1p-23;
+    EXPECT_TRUE(judge_at(c, off_grid, 0.0f).pass) << "where something may be rounded the tolerance counts";
+    c.exact_where = nullptr;
+    EXPECT_TRUE(judge_at(c, 0.5, 0.0f).pass);
+}
+
+TEST(on_grid, is_a_multiple_of_a_power_of_two) {
+    const auto is = [](std::vector<double> numbers) { return on_grid(numbers); };
+    EXPECT_TRUE(is({}));
+    EXPECT_TRUE(is({0, 1, -3, 0.375, 0x1p-22}));
+    EXPECT_FALSE(is({0, 0x1p-23}));
+    EXPECT_FALSE(is({0.1}));
+    EXPECT_FALSE(is({std::nan("")}));
 }
 
 TEST(ulps_between, counts_floats) {
