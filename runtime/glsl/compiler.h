@@ -29,6 +29,10 @@ using Spirv = std::vector<std::uint32_t>;
 /// that finds nothing.
 std::string expand(const Sources& sources, std::string_view text, std::string_view name);
 
+/// The files below `sources.root` that expanding `text` reads, in the order in which it first does:
+/// "smsr/case_09.glsl". Throws CompileError as expand does.
+std::vector<std::string> included_files(const Sources& sources, std::string_view text);
+
 /// Compiles for Vulkan 1.3 and validates the result; keeps it on disk under a key of the expanded text, the
 /// stage and glslang's version, and takes it from there the next time. A damaged cache file is compiled anew.
 /// Throws CompileError "kernels/smsr/case_09.glsl:12: …" (all of glslang's messages, a line each).

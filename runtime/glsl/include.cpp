@@ -38,6 +38,7 @@ struct Expansion {
     const Sources& sources;
     std::set<std::string> seen;
     std::string text;
+    std::vector<std::string> files;
 
     void append(std::string_view source, const std::string& name) {
         text += fmt::format("#line 1 \"{}\"\n", name);
@@ -78,6 +79,7 @@ struct Expansion {
             throw CompileError("{}:{}: cannot include \"{}\": no such file below {}", from, line,
                                include.name, sources.root.string());
         }
+        files.push_back(include.name);
         append(source, name);
     }
 
@@ -91,10 +93,16 @@ struct Expansion {
 } // namespace
 
 std::string expand(const Sources& sources, std::string_view text, std::string_view name) {
-    Expansion expansion{sources, {}, {}};
+    Expansion expansion{sources, {}, {}, {}};
     expansion.text = "#version 460\n#extension GL_GOOGLE_cpp_style_line_directive : require\n";
     expansion.append(text, std::string(name));
     return std::move(expansion.text);
+}
+
+std::vector<std::string> included_files(const Sources& sources, std::string_view text) {
+    Expansion expansion{sources, {}, {}, {}};
+    expansion.append(text, "<text>");
+    return std::move(expansion.files);
 }
 
 } // namespace gnomon::glsl

@@ -8,12 +8,29 @@
 
 namespace gnomon::glsl {
 
-std::size_t optimized_instructions(const Spirv& words) {
-    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);
-    optimizer.RegisterPerformancePasses();
+namespace {
+
+Spirv run(spvtools::Optimizer& optimizer, const Spirv& words) {
     Spirv optimized;
     if (!optimizer.Run(words.data(), words.size(), &optimized))
         throw Error("SPIRV-Tools cannot optimise a shader that it validated");
+    return optimized;
+}
+
+} // namespace
+
+Spirv optimized(const Spirv& words) {
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);
+    optimizer.RegisterPass(spvtools::CreateStripDebugInfoPass());
+    optimizer.RegisterPerformancePasses();
+    optimizer.RegisterPass(spvtools::CreateCompactIdsPass());
+    return run(optimizer, words);
+}
+
+std::size_t optimized_instructions(const Spirv& words) {
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);
+    optimizer.RegisterPerformancePasses();
+    const Spirv optimized = run(optimizer, words);
     constexpr std::size_t header = 5;
     constexpr std::uint32_t op_line = 8, op_no_line = 317, op_function = 54, op_function_end = 56;
     std::size_t count = 0;

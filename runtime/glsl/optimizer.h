@@ -1,4 +1,5 @@
-// What a shader costs to execute, as far as its words say.
+// Shaders as SPIRV-Tools optimises them: what they cost to execute, as far as their words say, and whether
+// two are one.
 #pragma once
 
 #include "runtime/glsl/compiler.h"
@@ -6,6 +7,10 @@
 #include <cstddef>
 
 namespace gnomon::glsl {
+
+/// The shader as `spirv-opt -O` leaves it, without names: two that are the same words then compute the same.
+/// Throws Error if SPIRV-Tools cannot.
+Spirv optimized(const Spirv& words);
 
 /// Instructions in the bodies of functions once SPIRV-Tools has optimised them as `spirv-opt -O` does:
 /// everything inlined, nothing that is never executed. Throws Error if it cannot.
