@@ -1,6 +1,5 @@
 #include "casegen/check.h"
 
-#include "casegen/compare.h"
 #include "casegen/csv.h"
 #include "casegen/fuzz/regression.h"
 #include "casegen/standalone.h"
@@ -46,22 +45,6 @@ Prepared prepare(const Case& c, const CheckOptions& options, const glsl::Sources
     return {std::move(sampler), std::move(words), samples, std::move(first)};
 }
 
-/// Judges one dispatch's results and keeps the worst.
-void judge_all(const Case& c, std::size_t begin, const Records& records, const Outputs& outputs,
-               CheckReport& report) {
-    const auto components = static_cast<std::size_t>(c.reference.result.components);
-    const std::vector<Truth> known = truths(c, records);
-    for (std::size_t i = 0; i < records.size(); ++i) {
-        const std::span<const std::uint32_t> got(outputs.words.data() + i * components, components);
-        const Agreement agreement = judge(c, arguments(c, records.input(i), records.mask(i)), got,
-                                          known.empty() ? nullptr : &known[i]);
-        if (!agreement.pass) ++report.failures;
-        if (!report.worst || agreement.error > report.worst->error)
-            report.worst = make_finding(c, records, i, begin + i, got, agreement.error);
-    }
-    if (report.failures > 0) report.verdict = Verdict::wrong;
-}
-
 /// `progress` is told of every dispatch's samples.
 void run(const Case& c, const Prepared& prepared, gpu::Device& device, CheckReport& report,
          const std::function<void(std::size_t)>& progress) {
@@ -72,9 +55,10 @@ void run(const Case& c, const Prepared& prepared, gpu::Device& device, CheckRepo
         Records drawn(c);
         if (begin > 0) drawn = draw_records(c, prepared.sampler, begin, end);
         const Records& records = begin == 0 ? prepared.first : drawn;
-        const Outputs outputs = run_standalone(device, kernel, c, records);
+        Outputs outputs = run_standalone(device, kernel, c, records);
         report.nanoseconds += outputs.nanoseconds / static_cast<double>(prepared.samples);
-        judge_all(c, begin, records, outputs, report);
+        add_judged(c, records, begin, judge_all(c, records, std::move(outputs.words), truths(c, records)),
+                   report);
         if (add_complaint(c, records, begin, outputs, report)) return;
         progress(end - begin);
     }

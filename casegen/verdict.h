@@ -7,8 +7,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace gnomon {
+
+/// Results, and what judging them said, per record.
+struct Judged {
+    std::vector<std::uint32_t> results;
+    std::vector<double> errors;
+    std::vector<std::uint8_t> failed;
+};
+
+/// Judges a dispatch's results, on all cores. `truths`: of each record, or none at all if the reference has
+/// none. `earlier`, of the same records, may be null: what came out with the same bits there is not judged
+/// again.
+Judged judge_all(const Case& c, const Records& records, std::vector<std::uint32_t> results,
+                 std::span<const Truth> truths, const Judged* earlier = nullptr);
+
+/// Counts failures into the report, and keeps the worst finding: of equals the first. `begin`: the number of
+/// the first record.
+void add_judged(const Case& c, const Records& records, std::size_t begin, const Judged& judged,
+                CheckReport& report);
 
 /// What became of `records`' input number `i`; `index` is the sample's number in the whole run.
 Finding make_finding(const Case& c, const Records& records, std::size_t i, std::size_t index,

@@ -1,11 +1,6 @@
 #include "casegen/watch/subject.h"
 
-#include "casegen/compare.h"
-#include "casegen/verdict.h"
 #include "runtime/error.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <bit>
@@ -16,8 +11,6 @@
 
 namespace gnomon::watch {
 namespace {
-
-constexpr std::size_t samples_per_task = 2048;
 
 Records draw_all(const Case& c, const Sampler& sampler, std::size_t samples) {
     Records records(c);
@@ -75,37 +68,10 @@ Subject::Ran Subject::run(gpu::Device& device, glsl::Spirv words, const std::str
     Ran ran;
     ran.text = text;
     ran.words = std::move(words);
-    ran.errors.resize(records_.size());
-    ran.failed.resize(records_.size());
-    const auto components = static_cast<std::size_t>(case_.reference.result.components);
-    // What came out as in the state before was judged there.
-    const Ran* known = ran_ && ran_->results.size() == outputs.words.size() ? &*ran_ : nullptr;
-    const auto judge_one = [&](std::size_t i) {
-        const std::span<const std::uint32_t> got(outputs.words.data() + i * components, components);
-        if (known && std::ranges::equal(got, std::span(known->results).subspan(i * components, components))) {
-            ran.errors[i] = known->errors[i];
-            ran.failed[i] = known->failed[i];
-            return;
-        }
-        const Agreement agreement =
-            gnomon::judge(case_, arguments(case_, records_.input(i), records_.mask(i)), got,
-                          truths_.empty() ? nullptr : &truths_[i]);
-        ran.errors[i] = agreement.error;
-        ran.failed[i] = agreement.pass ? 0 : 1;
-    };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, records_.size(), samples_per_task),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i) judge_one(i);
-                      });
-    report.failures = static_cast<std::size_t>(std::ranges::count(ran.failed, 1));
-    if (report.failures > 0) report.verdict = Verdict::wrong;
-    const auto worst = static_cast<std::size_t>(std::ranges::max_element(ran.errors) -
-                                                ran.errors.begin()); // of equals the first
-    report.worst =
-        make_finding(case_, records_, worst, worst,
-                     std::span(outputs.words).subspan(worst * components, components), ran.errors[worst]);
+    ran.judged =
+        judge_all(case_, records_, std::move(outputs.words), truths_, ran_ ? &ran_->judged : nullptr);
+    add_judged(case_, records_, 0, ran.judged, report);
     add_complaint(case_, records_, 0, outputs, report);
-    ran.results = std::move(outputs.words);
     return ran;
 }
 
@@ -115,8 +81,8 @@ Moved Subject::compare(const Ran& before, const Ran& after) const {
     Moved moved;
     std::optional<std::size_t> at;
     for (std::size_t i = 0; i < records_.size(); ++i) {
-        const std::uint32_t* a = before.results.data() + i * components;
-        const std::uint32_t* b = after.results.data() + i * components;
+        const std::uint32_t* a = before.judged.results.data() + i * components;
+        const std::uint32_t* b = after.judged.results.data() + i * components;
         if (std::equal(a, a + components, b)) continue;
         ++moved.samples;
         double largest = 0;
@@ -128,7 +94,7 @@ Moved Subject::compare(const Ran& before, const Ran& after) const {
     }
     if (!at) return moved;
     const auto result = [&](const Ran& ran) {
-        return format_result(case_, std::span(ran.results).subspan(*at * components, components));
+        return format_result(case_, std::span(ran.judged.results).subspan(*at * components, components));
     };
     moved.call = format_call(case_, records_.input(*at), records_.mask(*at));
     moved.before = result(before);
@@ -160,7 +126,7 @@ Judgement Subject::judge(gpu::Device& device, const std::string& text, const std
         expect_what_the_table_says(report);
         Judgement judgement = judgement_of(report, replay);
         judgement.ran = true;
-        if (repeatable) judgement.results = hash_of(ran.results);
+        if (repeatable) judgement.results = hash_of(ran.judged.results);
         if (ran_) judgement.moved = compare(*ran_, ran);
         ran_ = std::move(ran);
         return judgement;

@@ -5,6 +5,7 @@
 #include "casegen/check.h"
 #include "casegen/standalone.h"
 #include "casegen/truths.h"
+#include "casegen/verdict.h"
 #include "casegen/watch/message.h"
 
 #include <memory>
@@ -37,9 +38,7 @@ private:
     struct Ran {
         std::string text;
         glsl::Spirv words;
-        std::vector<std::uint32_t> results;
-        std::vector<double> errors; ///< per sample
-        std::vector<std::uint8_t> failed;
+        Judged judged;
     };
     Ran run(gpu::Device& device, glsl::Spirv words, const std::string& text, CheckReport& report);
     Moved compare(const Ran& before, const Ran& after) const;

@@ -124,6 +124,8 @@ std::string version_text(std::uint32_t version) {
 void prepare_process(bool default_device_only) {
     std::call_once(prepared, [&] {
         pin_mesa_cache();
+        setenv("NODEVICE_SELECT", "1",
+               0); // Mesa's layer that sorts devices: we choose ourselves, it takes 1 ms
         if (default_device_only) open_lavapipe_only();
     });
 }
