@@ -16,6 +16,7 @@
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/Logger.hpp>
+#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -58,12 +59,26 @@ struct LoggerInUse {
     LoggerInUse& operator=(const LoggerInUse&) = delete;
 };
 
+/// A file that the reader of its extension does not want Assimp gives to any other that likes its beginning;
+/// some of these read past its end. They are moved to `others`, which frees them.
+void keep_readers_of(std::string_view extension, Assimp::Importer& importer, Assimp::Importer& others) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        const aiImporterDesc* about = importer.GetImporterInfo(i);
+        const std::string extensions = fmt::format(" {} ", about ? about->mFileExtensions : "");
+        if (extensions.find(fmt::format(" {} ", extension)) != extensions.npos) continue;
+        Assimp::BaseImporter* reader = importer.GetImporter(i);
+        if (importer.UnregisterLoader(reader) == aiReturn_SUCCESS) others.RegisterLoader(reader);
+    }
+}
+
 /// The file as Assimp reads it, before any post-processing.
 const aiScene& import(Assimp::Importer& importer, const std::filesystem::path& path) {
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
     bool out_of_range = false;
     const LoggerInUse logger(new IndexWatch(out_of_range));
+    Assimp::Importer others;
+    keep_readers_of(lower_case(path.extension().string()).substr(1), importer, others);
     const aiScene* imported = importer.ReadFile(path.string(), 0);
 
     if (out_of_range) throw Error("'{}': a triangle uses a vertex that does not exist", path.string());

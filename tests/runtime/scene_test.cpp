@@ -261,6 +261,8 @@ TEST(Scene, BadFilesAreNamedOnOneLineAndNothingIsPrinted) {
         {"garbage.ply", "nothing of a model\nin two lines\n", "not a PLY"},
         {"garbage.gltf", "nothing of a model\nin two lines\n", "cannot be read"},
         {"garbage.glb", "nothing of a model\nin two lines\n", "not a binary glTF"},
+        {"other.gltf", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+         "cannot be read"}, // a model, but no glTF
         {"chunk.glb", glb(gltf(node, ""), gltf_data(), 400), "chunk at byte 12"},
         {"old.glb", "glTF\1\0\0\0\0\0\0\0"s, "version 1"},
         {"truncated.gltf", R"({"asset":{"version":"2.0"},"scenes":[)", "cannot be read"},
