@@ -166,14 +166,14 @@ TEST(capture, says_what_cannot_be_captured) {
     refused({"--case", "smsr/case_09", "--pixel", "3,4"}, "--pixel and --case: give one");
     refused({"--kernel", "nobody/knows"}, "no kernel matches");
     refused({"--kernel", "column/plane", "--pixel", "80,60"},
-            "column/plane is not called by smsr; what it calls can be captured: revectorize/discontinuity");
+            "column/plane is not called by smsr; what it calls can be captured: revectorize/shadow_test, ");
     refused({"--kernel", "rsmss/case_01", "--technique", "smsr"}, "rsmss/case_01 is not called by smsr");
     refused({"--kernel", "case"}, "--kernel case needs --pixel X,Y");
     refused({"--kernel", "case", "--technique", "nsm", "--pixel", "3,4"}, "nsm has no numbered cases");
     refused({"--technique", "crsma", "--pixel", "3,4"}, "--technique: crsma not in");
     refused({"--case", "smsr/case_09", "--most", "0"}, "--most");
     refused({"--case", "smsr/case_09", "--reading", "bar=ramp"}, "only --technique rsmss");
-    expect_refused(folder, {"capture", "--kernel", "smsr/visibility", "--size", "512x512", "--out", out},
+    expect_refused(folder, {"capture", "--kernel", "smsr/visibility", "--size", "1024x768", "--out", out},
                    "--most 50000 or less is possible");
     expect_refused(folder, {"capture", "--pixel", "3,4"}, "--out is required");
     expect_refused(folder, {"capture", "missing.obj", "--pixel", "3,4", "--out", out}, "missing.obj");
@@ -192,8 +192,8 @@ TEST(capture, says_where_no_kernel_is_asked_and_which_cases_there_are) {
             small,
         "--pixel 80,60: the surface there faces away from the light");
     expect_refused(folder,
-                   Arguments{"capture", scene, "--pixel", "80,60", "--light-position", "0.3,9,3",
-                             "--light-direction", "0,1,-0.1", "--light-fov", "30", "--out", out} +
+                   Arguments{"capture", scene, "--pixel", "80,60", "--light-position", "1,0,1",
+                             "--light-direction", "0,0,-1", "--light-fov", "10", "--out", out} +
                        seen + small,
                    "--pixel 80,60: the shadow map does not cover it");
     expect_refused(
