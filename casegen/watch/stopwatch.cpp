@@ -50,7 +50,7 @@ Times Stopwatch::begin(const Case& c, Subject& subject, const TimeRequest& reque
     if (request.results != 0) {
         gpu::Kernel kernel = device_.kernel(compile_standalone_text(c, request.alone, folder), c.name);
         const Outputs outputs = run_standalone(device_, kernel, c, subject.records());
-        times.same_results = hash_of(outputs.words) == request.results;
+        times.same_results = hash_of(c, outputs.words) == request.results;
     }
     upload(c, subject);
     turns_ = {find(c, request.before), find(c, request.after), make(c, request.before)};

@@ -54,7 +54,8 @@ private:
 /// code.
 glsl::Spirv code_of(const glsl::Spirv& words);
 
-/// A hash of result words: what two processes compare their results by.
-std::uint64_t hash_of(std::span<const std::uint32_t> results);
+/// A hash of a kernel's result words: what two processes compare their results by. Any NaN is as good as
+/// another: its sign depends on whether a compiler or the processor made it.
+std::uint64_t hash_of(const Case& c, std::span<const std::uint32_t> results);
 
 } // namespace gnomon::watch
