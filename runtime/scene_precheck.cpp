@@ -1,6 +1,7 @@
 #include "runtime/scene_precheck.h"
 
 #include "runtime/error.h"
+#include "runtime/one_line.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -352,17 +354,44 @@ void precheck_glb(const std::filesystem::path& path, std::string_view bytes) {
 
 namespace {
 
+/// Assimp's JSON reader takes the first of two members of one name and ours the last, and what one of them
+/// cannot read the other may: only what both understand alike can be checked.
+nlohmann::json parse_json(std::string_view text, const std::string& file) {
+    std::vector<std::set<std::string>> open; // objects, with the names of their members
+    std::string twice;
+    const auto watch = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+        if (event == nlohmann::json::parse_event_t::object_start) open.emplace_back();
+        if (event == nlohmann::json::parse_event_t::object_end) open.pop_back();
+        if (event == nlohmann::json::parse_event_t::key &&
+            !open.back().insert(parsed.get<std::string>()).second)
+            twice = parsed.get<std::string>();
+        return true;
+    };
+    text = text.substr(0, text.find_last_not_of('\0') + 1); // binary files pad with them
+    nlohmann::json document = nlohmann::json::parse(text, watch, false);
+    if (document.is_discarded()) throw Error("'{}' cannot be read as a model: its JSON is damaged", file);
+    if (!twice.empty()) throw Error("'{}' says \"{}\" twice in one place", file, one_line(twice));
+    return document;
+}
+
+/// The node that a member of "children" names; none if it names none.
+std::optional<std::size_t> child_of(const nlohmann::json& child, const nlohmann::json& nodes) {
+    if (!child.is_number_integer() || child.get<std::int64_t>() < 0) return {};
+    const auto number = child.get<std::size_t>();
+    return number < nodes.size() ? std::optional(number) : std::nullopt;
+}
+
 /// Else some hundred nodes are a tree of 2^100.
 void require_one_parent(const nlohmann::json& nodes, const std::string& file) {
     std::vector<std::uint8_t> is_child(nodes.size(), 0);
     for (const nlohmann::json& node : nodes) {
         if (!node.is_object() || !node.contains("children") || !node["children"].is_array()) continue;
         for (const nlohmann::json& child : node["children"]) {
-            if (!child.is_number_unsigned() || child.get<std::size_t>() >= nodes.size()) continue;
-            if (is_child[child.get<std::size_t>()] != 0)
-                throw Error("'{}': node {} (counted from 0) is a child more than once", file,
-                            child.get<std::size_t>());
-            is_child[child.get<std::size_t>()] = 1;
+            const std::optional<std::size_t> number = child_of(child, nodes);
+            if (!number) continue;
+            if (is_child[*number] != 0)
+                throw Error("'{}': node {} (counted from 0) is a child more than once", file, *number);
+            is_child[*number] = 1;
         }
     }
 }
@@ -385,7 +414,7 @@ void precheck_gltf(const std::filesystem::path& path, std::string_view json) {
             --depth;
         if (depth > deepest) throw Error("'{}' nests its JSON deeper than {} levels", path.string(), deepest);
     }
-    const nlohmann::json document = nlohmann::json::parse(json, nullptr, false);
+    const nlohmann::json document = parse_json(json, path.string());
     if (!document.is_object() || !document.contains("nodes") || !document["nodes"].is_array()) return;
     // Levels of the node tree, from all nodes at once: a node may be dropped once no other has it as a child.
     const nlohmann::json& nodes = document["nodes"];
@@ -401,8 +430,8 @@ void precheck_gltf(const std::filesystem::path& path, std::string_view json) {
             const auto children = nodes[node].find("children");
             if (children == nodes[node].end() || !children->is_array()) continue;
             for (const nlohmann::json& child : *children)
-                if (child.is_number_unsigned() && child.get<std::size_t>() < nodes.size()) {
-                    below[child.get<std::size_t>()] = 1;
+                if (const std::optional<std::size_t> number = child_of(child, nodes)) {
+                    below[*number] = 1;
                     any = true;
                 }
         }

@@ -23,8 +23,8 @@ void precheck_obj(const std::filesystem::path& path, std::string_view bytes);
 void precheck_glb(const std::filesystem::path& path, std::string_view bytes);
 
 /// Assimp follows nested JSON and nested nodes by recursion: throws Error naming the file if either is deeper
-/// than 500 levels, if a node is its own ancestor, or a child more than once (the format wants trees). JSON
-/// that does not parse is left to Assimp's own message.
+/// than 500 levels, if a node is its own ancestor, or a child more than once (the format wants trees); also
+/// if the JSON is damaged or names a member twice, where Assimp may read another text than was checked.
 void precheck_gltf(const std::filesystem::path& path, std::string_view json);
 
 } // namespace gnomon

@@ -371,6 +371,16 @@ TEST(Scene, NodesThatAreChildrenTwiceAreRefused) {
     for (int i = 0; i < 59; ++i) text += fmt::format(R"({{"children": [{0}, {0}]}},)", i + 1);
     EXPECT_THAT(error_of([&] { load_scene(folder.write("doubling.gltf", text + "{}]}")); }),
                 HasSubstr("node 1 (counted from 0) is a child more than once"));
+    // What Assimp's JSON reader understands otherwise than ours.
+    const std::string whole = text + "{}]}";
+    for (const std::string& odd :
+         {whole + '\0' + "x", whole + "\"\xff\"", "{\"nodes\": [{}]," + whole.substr(1)})
+        EXPECT_THAT(error_of([&] { load_scene(folder.write("odd.gltf", odd)); }), HasSubstr("odd.gltf"));
+    EXPECT_THAT(error_of([&] {
+                    load_scene(folder.write("zero.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+                        "scenes": [{"nodes": [0]}], "nodes": [{"children": [-0]}]})"));
+                }),
+                HasSubstr("circle"));
 }
 
 } // namespace
