@@ -263,7 +263,8 @@ private:
             add(Operator::call, whole, fmt::format("min({}, {})", x, text_of(call.arguments[2])));
         }
         if (std::ranges::find(commutative, name) != commutative.end()) return;
-        for (std::size_t i = 0; i + 1 < call.arguments.size(); ++i)
+        // clamp(x, a, b) is min(max(x, a), b).
+        for (std::size_t i = name == "clamp" ? 1 : 0; i + 1 < call.arguments.size(); ++i)
             add(Operator::arguments, {call.arguments[i].begin, call.arguments[i + 1].end},
                 fmt::format("{}, {}", text_of(call.arguments[i + 1]), text_of(call.arguments[i])));
     }
@@ -363,7 +364,7 @@ std::string stale_version(std::string_view text, std::string_view name) {
             other = fmt::format("{}(1.0) - ({})", each.type, value);
         else if (each.type == "int" || each.type == "uint" || each.type.starts_with("ivec") ||
                  each.type.starts_with("uvec"))
-            other = fmt::format("({}) + {}(1)", value, each.type);
+            other = fmt::format("~({})", value);
         else
             return {};
         result += text.substr(at, begin - at);

@@ -50,7 +50,7 @@ std::vector<Mutation> mutations(std::string_view text);
 std::string mutated(std::string_view text, const Mutation& mutation);
 
 /// Another version of a kernel's file, as one would compile on from an old copy: whatever the function `name`
-/// returned, it returns something else (1 - value, the complement, the next number). Empty if the text has no
+/// returned, it returns something else (1 - value, or the complement). Empty if the text has no
 /// such function, or one whose result cannot be changed so.
 std::string stale_version(std::string_view text, std::string_view name);
 

@@ -91,8 +91,7 @@ TEST(mutations, of_calls_drop_rename_and_turn_them_round) {
                              "clamp(min(a, b), 0.0, mix(a, b, 0.5)) -> max(min(a, b), 0.0)",
                              "clamp(min(a, b), 0.0, mix(a, b, 0.5)) -> min(min(a, b), mix(a, b, 0.5))",
                              "min -> max", "min(a, b) -> (a)", "min(a, b) -> (b)"));
-    EXPECT_THAT(changes(text, "arguments"), UnorderedElementsAre("min(a, b), 0.0 -> 0.0, min(a, b)",
-                                                                 "0.0, mix(a, b, 0.5) -> mix(a, b, 0.5), 0.0",
+    EXPECT_THAT(changes(text, "arguments"), UnorderedElementsAre("0.0, mix(a, b, 0.5) -> mix(a, b, 0.5), 0.0",
                                                                  "a, b -> b, a", "b, 0.5 -> 0.5, b"));
 }
 
@@ -150,8 +149,7 @@ TEST(stale_versions, answer_something_else_everywhere) {
         stale_version("float f(float a) { if (a < 0.0) return 0.0; return a; }\nfloat g() { return 1.0; }",
                       "f"),
         "float f(float a) { if (a < 0.0) return 1.0 - (0.0); return 1.0 - (a); }\nfloat g() { return 1.0; }");
-    EXPECT_EQ(stale_version("ivec2 f() { return ivec2(3); }", "f"),
-              "ivec2 f() { return (ivec2(3)) + ivec2(1); }");
+    EXPECT_EQ(stale_version("ivec2 f() { return ivec2(3); }", "f"), "ivec2 f() { return ~(ivec2(3)); }");
     EXPECT_EQ(stale_version("float f() { return 1.0; }", "g"), "");
     EXPECT_EQ(stale_version("Edge f(int a) { return Edge(a); }", "f"), "");
 }
