@@ -58,6 +58,7 @@ std::unique_ptr<CLI::App> make_app(Common& common, int& exit_code) {
     add_fuzz(app, common, exit_code);
     add_mutate(app, common, exit_code);
     add_watch(app, common, exit_code);
+    add_compare(app, common, exit_code);
     add_reproduce(app, common);
     add_demo(app, common, exit_code);
     add_devices(app, common);

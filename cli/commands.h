@@ -35,6 +35,7 @@ void add_worst(CLI::App& app, Common& common, int& exit_code);
 void add_fuzz(CLI::App& app, Common& common, int& exit_code);
 void add_mutate(CLI::App& app, Common& common, int& exit_code);
 void add_watch(CLI::App& app, Common& common, int& exit_code);
+void add_compare(CLI::App& app, Common& common, int& exit_code);
 void add_reproduce(CLI::App& app, Common& common);
 void add_demo(CLI::App& app, Common& common, int& exit_code);
 

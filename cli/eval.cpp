@@ -3,6 +3,7 @@
 #include "casegen/check.h"
 #include "casegen/csv.h"
 #include "casegen/standalone.h"
+#include "casegen/versus/side.h"
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/view.h"
@@ -20,7 +21,7 @@ namespace {
 
 struct Options {
     std::string kernel;
-    std::filesystem::path in, out;
+    std::filesystem::path in, out, file;
     std::string at, expect;
     std::vector<std::string> readings;
     bool reference = false;
@@ -77,7 +78,9 @@ void run(const Options& options, const Common& common, int& exit_code) {
     Records records(c);
     for (const CsvInput& input : inputs) records.add(input.words, &input.mask);
     gpu::Device device(common.device);
-    const Outputs outputs = evaluate(device, kernel_sources(common.kernels, readings), c, records);
+    glsl::Sources sources = kernel_sources(common.kernels, readings);
+    if (!options.file.empty()) sources.overlaid[c.name + ".glsl"] = versus::text_for(c, options.file);
+    const Outputs outputs = evaluate(device, sources, c, records);
     require_no_validation_messages();
     // Of a kernel that must fail even an unwritten result is no surprise: it reads as NaN.
     if (const std::string complaint = outputs.complaint(); !complaint.empty() && c.fails.empty())
@@ -118,6 +121,8 @@ void add_eval(CLI::App& app, Common& common, int& exit_code) {
                      "CSV file to write: the input's columns and `result` (default: print)");
     verb->add_option("--at", options->at,
                      "one input on the command line: the values of all columns, in their order");
+    verb->add_option("--file", options->file, "a GLSL file that is run in place of the kernel's own")
+        ->check(not_empty());
     verb->add_flag("--reference", options->reference,
                    "add the reference's value as `reference` (`undefined` outside the kernel's domain)");
     verb->add_option("--expect", options->expect,

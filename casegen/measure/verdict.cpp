@@ -13,6 +13,7 @@ namespace gnomon::measure {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double most_floor = 0.8; // of a time
 
 double median_of(std::vector<double> values) {
     std::ranges::sort(values);
@@ -91,13 +92,9 @@ PaceVerdict judge_times(const PairedTimes& times, const PaceOptions& options) {
         throw Error("a floor of {:g} is no time", times.floor);
 
     verdict.confidence = 1 - (1 - options.confidence) * std::exp2(-static_cast<double>(options.look));
-    const double part = times.floor / median_of(times.a);
-    if (part >= 1) {
-        verdict.interval = verdict.calibration = {0, infinity};
-        verdict.margin = infinity;
-        verdict.reason = "A takes no longer than reading its inputs";
-        return verdict;
-    }
+    double part = times.floor / median_of(times.a);
+    verdict.with_floor = part > most_floor;
+    if (verdict.with_floor) part = 0;
     const auto net = [&](double ratio) { return std::max(0.0, (ratio - part) / (1 - part)); };
     const auto judge = [&](const std::vector<double>& over, double& median, Interval& interval) {
         const std::vector<double> ratios = log_ratios(over, times.a);

@@ -10,7 +10,8 @@
 // A, B and A' may each contain the same constant (what reading their inputs costs): `floor`. A ratio of times
 // with it is nearer to 1 than the ratio without; it is corrected by (r - f) / (1 - f), f = floor / median of
 // A, which moves both ends of an interval alike. A wrong floor makes an effect larger or smaller, never turns
-// it around.
+// it around. Where the floor is more than four fifths of A there is next to nothing left to be compared: then
+// it stays in, and the ratio and its margin are those of the whole.
 //
 // The margin within which two programs count as equally fast is the largest of
 //   - the least effect that anybody cares about (3 %),
@@ -65,12 +66,13 @@ struct PaceOptions {
 
 struct PaceVerdict {
     Pace pace = Pace::uncertain;
-    double ratio = 1;      ///< B / A: the median, without the floor
-    Interval interval;     ///< where the ratio lies
-    double again = 1;      ///< A' / A: the median
-    Interval calibration;  ///< where that lies
-    double margin = 0;     ///< of "the same": ratios from 1 / (1 + margin) to 1 + margin
-    double confidence = 0; ///< of either interval, as corrected for this look
+    double ratio = 1;        ///< B / A: the median
+    bool with_floor = false; ///< the floor is still in all ratios
+    Interval interval;       ///< where the ratio lies
+    double again = 1;        ///< A' / A: the median
+    Interval calibration;    ///< where that lies
+    double margin = 0;       ///< of "the same": ratios from 1 / (1 + margin) to 1 + margin
+    double confidence = 0;   ///< of either interval, as corrected for this look
     std::size_t rounds = 0;
     std::string reason; ///< of an uncertain one: "the interval reaches across the margin"
 };
