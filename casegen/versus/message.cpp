@@ -65,7 +65,7 @@ std::string format_request(const Request& request) { return to_bytes(request); }
 Request parse_request(const std::string& bytes) { return Json::from_cbor(bytes).get<Request>(); }
 
 std::string format_reply(const Reply& reply, Question question) {
-    Json object{{"timeout", reply.timeout}, {"compile_error", reply.compile_error}};
+    Json object{{"timeout", reply.timeout}, {"obstacle", reply.obstacle}};
     switch (question) {
     case Question::same_code:
         object["answer"] = reply.same_code;
@@ -92,7 +92,7 @@ Reply parse_reply(const std::string& bytes, Question question) {
     const Json& answer = object.at("answer");
     Reply reply;
     reply.timeout = object.at("timeout").get<std::string>();
-    reply.compile_error = object.at("compile_error").get<std::string>();
+    reply.obstacle = object.at("obstacle").get<std::string>();
     switch (question) {
     case Question::same_code:
         reply.same_code = answer.get<bool>();

@@ -16,8 +16,8 @@ struct Request {
 
 /// What the child says; the part that was asked for is set.
 struct Reply {
-    std::string timeout;       ///< a kernel did not end: what the device said; the child is of no more use
-    std::string compile_error; ///< where SideReport does not hold it
+    std::string timeout;  ///< a kernel did not end: what the device said; the child is of no more use
+    std::string obstacle; ///< why else there is no answer; a side that does not compile says so itself
     bool same_code = false;
     SideReport side;
     DifferenceReport difference;

@@ -75,10 +75,7 @@ public:
     };
     Outcome ask(const Pair& pair, Question question) {
         child_->send(format_request({question, pair.a->name, pair.b->name}));
-        const measure::PairingOptions& timing = options_.examiner.timing;
-        const double limit = options_.examiner.device.time_limit;
-        const Answer answer =
-            child_->receive(patience + 10 * limit + (question == Question::time ? timing.seconds : 0));
+        const Answer answer = child_->receive(longest(question));
         Outcome outcome;
         switch (answer.kind) {
         case Answer::Kind::message:
@@ -100,6 +97,17 @@ public:
     }
 
 private:
+    /// Seconds that an answer may take: inputs and rounds as asked for, and patience with all else.
+    double longest(Question question) const {
+        const ExaminerOptions& asked = options_.examiner;
+        constexpr double seconds_per_truth = 0.01;
+        double seconds = patience + 10 * asked.device.time_limit;
+        seconds += seconds_per_truth * static_cast<double>(asked.samples.value_or(0));
+        if (question == Question::time)
+            seconds += asked.timing.rounds ? static_cast<double>(*asked.timing.rounds) : asked.timing.seconds;
+        return seconds;
+    }
+
     static std::string serve(Examiner& examiner, const std::string& bytes) {
         const Request request = parse_request(bytes);
         const Pair pair{&find_case(request.a), &find_case(request.b)};
@@ -125,10 +133,13 @@ private:
                 reply.time = examiner.time(pair);
                 break;
             }
-        } catch (const CompileError& error) {
-            reply.compile_error = error.what();
         } catch (const KernelTimeout& error) {
             reply.timeout = error.what();
+        } catch (const CompileError& error) {
+            reply.obstacle = error.what();
+        } catch (const Error& error) { // of what else is asked, one kernel's trouble is not all kernels'
+            if (request.question != Question::draw && request.question != Question::time) throw;
+            reply.obstacle = error.what();
         }
         if (const std::vector<std::string> messages = gpu::take_validation_messages(); !messages.empty())
             throw Error("Vulkan's validation layer complains ({} messages): {}", messages.size(),
@@ -160,7 +171,7 @@ SideReport side_report(const Worker::Outcome& outcome, const Case& c) {
 /// Why a question has no answer; empty if it has one.
 std::string obstacle(const Worker::Outcome& outcome) {
     if (!outcome.death.empty()) return "the process died: " + outcome.death;
-    return outcome.reply.timeout.empty() ? outcome.reply.compile_error : outcome.reply.timeout;
+    return outcome.reply.timeout.empty() ? outcome.reply.obstacle : outcome.reply.timeout;
 }
 
 Comparison compare_pair(Worker& worker, const Pair& pair, const VersusOptions& options) {

@@ -445,10 +445,9 @@ private:
         told.before = median(times.a);
         told.after = median(times.b);
         told.reading = median(timing_->reading);
-        // What is lost in reading its inputs can only be compared together with it.
-        told.with_reading = told.reading >= told.before;
-        times.floor = told.with_reading ? 0 : told.reading;
+        times.floor = told.reading;
         told.pace = measure::judge_times(times);
+        told.with_reading = told.pace.with_floor;
         told.same_results = timing_->same_results;
         tell_(told);
     }
