@@ -122,6 +122,17 @@ struct Examiner::Impl {
         return made;
     }
 
+    /// A lone file stands for the kernel's, and compilers say so; people wrote the other one.
+    void name_lone_file(std::string& message, const Case& c, int side) const {
+        const Side& of = sides[static_cast<std::size_t>(side)];
+        const std::string name = c.name + ".glsl";
+        const std::string shown = (of.folder.filename() / name).generic_string();
+        if (!of.overlaid.contains(name)) return;
+        for (std::size_t at = message.find(shown); at != message.npos;
+             at = message.find(shown, at + of.label.size()))
+            message.replace(at, shown.size(), of.label);
+    }
+
     const Case& kernel(const Pair& pair, int side) const { return side == 0 ? *pair.a : *pair.b; }
 
     void judge_side(AtHand& at, int side, SideReport& report) const {
@@ -181,6 +192,7 @@ SideReport Examiner::run(const Pair& pair, int side) {
         report.failure = "compile error";
         report.message = error.what();
         std::ranges::replace(report.message, '\n', ' ');
+        impl_->name_lone_file(report.message, c, side);
         return report;
     }
     Impl::AtHand& at = impl_->at(pair);
