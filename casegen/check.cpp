@@ -1,23 +1,23 @@
 #include "casegen/check.h"
 
+#include "casegen/check_inputs.h"
+#include "casegen/compare.h"
 #include "casegen/csv.h"
-#include "casegen/fuzz/regression.h"
 #include "casegen/standalone.h"
 #include "casegen/truths.h"
 #include "casegen/verdict.h"
+#include "casegen/worker_device.h"
 #include "runtime/error.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <future>
 #include <map>
 #include <mutex>
 #include <numeric>
-#include <thread>
 
 namespace gnomon {
 namespace {
@@ -33,12 +33,8 @@ struct Prepared {
 };
 
 Prepared prepare(const Case& c, const CheckOptions& options, const glsl::Sources& sources,
-                 const std::shared_ptr<const EdgePool>& pool, std::uint64_t seed,
-                 std::span<const CsvInput> regressions) {
-    const auto file = [&](const std::filesystem::path& folder) {
-        return folder.empty() ? folder : folder / (c.name + ".csv");
-    };
-    Sampler sampler(c, seed, pool, file(options.pins), file(options.worst), regressions);
+                 const std::shared_ptr<const EdgePool>& pool, std::span<const CsvInput> regressions) {
+    Sampler sampler = make_sampler(c, options, pool, regressions);
     const std::size_t samples = std::max(options.samples.value_or(default_samples(c)), sampler.fixed_count());
     Records first = draw_records(c, sampler, 0, std::min(samples, samples_per_dispatch));
     glsl::Spirv words = compile_standalone(c, sources); // last: glslang may still be building its tables
@@ -64,27 +60,6 @@ void run(const Case& c, const Prepared& prepared, gpu::Device& device, CheckRepo
     }
 }
 
-/// A device of a worker's own, started in the background and replaced when a kernel has hung it.
-class WorkerDevice {
-public:
-    explicit WorkerDevice(const gpu::DeviceOptions& options) : options_(options) {
-        options_.isolated = true;
-        restart();
-    }
-    gpu::Device& get() {
-        if (starting_.valid()) device_.emplace(starting_.get());
-        return *device_;
-    }
-    void restart() {
-        starting_ = std::async(std::launch::async, [options = options_] { return gpu::Device(options); });
-    }
-
-private:
-    gpu::DeviceOptions options_;
-    std::future<gpu::Device> starting_;
-    std::optional<gpu::Device> device_;
-};
-
 CheckReport check_one(const Case& c, const CheckOptions& options, const glsl::Sources& sources,
                       const std::shared_ptr<const EdgePool>& pool, std::span<const CsvInput> regressions,
                       WorkerDevice& device, const std::function<void(std::size_t)>& progress) {
@@ -92,7 +67,7 @@ CheckReport check_one(const Case& c, const CheckOptions& options, const glsl::So
     report.kernel = &c;
     report.seed = options.seed.value_or(default_seed(c));
     try {
-        const Prepared prepared = prepare(c, options, sources, pool, report.seed, regressions);
+        const Prepared prepared = prepare(c, options, sources, pool, regressions);
         run(c, prepared, device.get(), report, progress);
         expect_what_the_table_says(report);
     } catch (const CompileError& error) {
@@ -158,17 +133,11 @@ std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOp
                                const std::function<void(std::size_t)>& done) {
     require_kernels(options.kernels);
     const glsl::Sources sources = kernel_sources(options.kernels);
-    std::map<std::string, std::vector<CsvInput>> regressions;
-    for (const Case* c : cases) regressions[c->name]; // threads only look
-    for (const auto& [name, all] : fuzz::load_regressions(options.regressions))
-        for (const fuzz::Regression& regression : all) regressions[name].push_back(regression.input);
-    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-    const std::size_t jobs = std::min<std::size_t>(options.jobs > 0 ? options.jobs : cores, cases.size());
+    const std::map<std::string, std::vector<CsvInput>> regressions =
+        load_inputs_of_regressions(cases, options);
     std::vector<CheckReport> reports(cases.size());
-    std::atomic<std::size_t> next = 0;
     std::size_t samples_done = 0;
     std::mutex mutex;
-    std::exception_ptr failure;
 
     std::vector<std::string> texts;
     for (const Case* c : cases) texts.push_back(whole_source(*c, sources));
@@ -185,38 +154,19 @@ std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOp
 
     // Masks are the same for every kernel: one corpus, drawn from the seed that was given or from a fixed
     // one.
-    std::promise<std::shared_ptr<const EdgePool>> pool_promise;
-    const std::shared_future<std::shared_ptr<const EdgePool>> pool = pool_promise.get_future().share();
-
+    const std::shared_future<std::shared_ptr<const EdgePool>> pool = std::async(std::launch::async, [&] {
+        return std::make_shared<const EdgePool>(make_edge_pool(options.seed.value_or(default_seed("masks"))));
+    });
     const auto progress = [&](std::size_t samples) {
         const std::scoped_lock lock(mutex);
         samples_done += samples;
         if (done) done(samples_done);
     };
-    const auto work = [&] {
-        try {
-            WorkerDevice device(options.device);
-            for (std::size_t n = next++; n < cases.size(); n = next++) {
-                const std::size_t i = order[n];
-                reports[i] = check_one(*cases[i], options, sources, pool.get(),
-                                       regressions.at(cases[i]->name), device, progress);
-            }
-        } catch (...) {
-            const std::scoped_lock lock(mutex);
-            if (!failure) failure = std::current_exception();
-            next = cases.size();
-        }
-    };
-    std::vector<std::jthread> workers;
-    for (std::size_t i = 0; i < jobs; ++i) workers.emplace_back(work);
-    try {
-        pool_promise.set_value(
-            std::make_shared<const EdgePool>(make_edge_pool(options.seed.value_or(default_seed("masks")))));
-    } catch (...) {
-        pool_promise.set_exception(std::current_exception());
-    }
-    workers.clear();
-    if (failure) std::rethrow_exception(failure);
+    on_worker_devices(cases.size(), options.jobs, options.device, [&](std::size_t n, WorkerDevice& device) {
+        const std::size_t i = order[n];
+        reports[i] = check_one(*cases[i], options, sources, pool.get(), regressions.at(cases[i]->name),
+                               device, progress);
+    });
     return reports;
 }
 

@@ -1,5 +1,6 @@
 #include "casegen/standalone.h"
 
+#include "casegen/added_buffer.h"
 #include "casegen/catalogue.h"
 #include "runtime/error.h"
 
@@ -91,16 +92,16 @@ namespace {
 
 /// What stands before a main() that calls the kernel. The prototype first: GLSL converts arguments silently,
 /// so that another signature would otherwise do.
-std::string preamble(const Case& c, const char* constants, bool with_kernel = true) {
+std::string preamble(const Case& c, const char* constants, std::string_view before, bool with_kernel = true) {
     const std::string kernel = fmt::format("{};\n#include \"{}.glsl\"", signature(c), c.name);
     return fmt::format(R"(layout(local_size_x = 64) in;
-{}
+{}{}
 layout(std430, binding = 0) readonly buffer Inputs {{ uvec4 inputs[]; }};
 layout(std430, binding = 1) writeonly buffer Results {{ uint results[]; }};
 layout(push_constant) uniform Constants {{ {} }};
 {}
 )",
-                       with_kernel ? kernel : "", constants,
+                       before, with_kernel ? kernel : "", constants,
                        with_kernel && c.reference.takes_mask ? mask_hook : "");
 }
 
@@ -135,20 +136,23 @@ std::vector<std::string> result_words(const Case& c) {
 
 } // namespace
 
-std::string standalone_source(const Case& c) {
+std::string standalone_source(const Case& c, const Addition& addition) {
     std::string writes;
     const std::vector<std::string> words = result_words(c);
     for (std::size_t k = 0; k < words.size(); ++k)
         writes += fmt::format("    results[{}u + {}u * index + {}u] = {};\n", guard_words, words.size(), k,
                               words[k]);
-    return preamble(c, "uint count;") + fmt::format(R"(void main() {{
+    return preamble(c, "uint count;", addition.declarations) + fmt::format(R"(void main() {{
     uint index = gl_GlobalInvocationID.x;
     if (index >= count) return;
     uint record = index * {}u;
-{}{}}}
+{}{}{}}}
 )",
-                                                    record_words(c) / 4, call(c), writes);
+                                                                           record_words(c) / 4, call(c),
+                                                                           writes, addition.at_end);
 }
+
+std::string standalone_source(const Case& c) { return standalone_source(c, Addition()); }
 
 std::string repeated_source(const Case& c, Repeated what) {
     std::vector<std::string> words;
@@ -156,7 +160,7 @@ std::string repeated_source(const Case& c, Repeated what) {
         words = result_words(c);
     else
         for (std::size_t word = 0; word < word_count(c); ++word) words.push_back(word_expression(word));
-    return preamble(c, "uint count, last, evaluations;", what == Repeated::calls) +
+    return preamble(c, "uint count, last, evaluations;", {}, what == Repeated::calls) +
            fmt::format(R"(void main() {{
     uint index = gl_GlobalInvocationID.x;
     if (index >= count) return;
@@ -172,20 +176,18 @@ std::string repeated_source(const Case& c, Repeated what) {
                        fmt::join(words, " + "));
 }
 
-std::string standalone_text(const Case& c, const glsl::Sources& sources) {
+namespace {
+
+std::string text_with(const Case& c, const glsl::Sources& sources, const Addition& addition) {
     if (const std::string file = c.name + ".glsl";
         !sources.overlaid.contains(file) && !std::filesystem::is_regular_file(sources.root / file))
         throw CompileError("{}/{}: no such file; the catalogue has a case of this name",
                            sources.root.string(), file);
-    return glsl::expand(sources, standalone_source(c), standalone_name);
+    return glsl::expand(sources, standalone_source(c, addition), standalone_name);
 }
 
-glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources, bool kept) {
-    return compile_standalone_text(c, standalone_text(c, sources), sources.root.filename().string(), kept);
-}
-
-glsl::Spirv compile_standalone_text(const Case& c, const std::string& text, const std::string& folder,
-                                    bool kept) {
+glsl::Spirv compile_text(const Case& c, const std::string& text, const std::string& folder, bool kept,
+                         bool with_addition) {
     const std::string file = fmt::format("{}/{}.glsl", folder, c.name);
     glsl::Spirv words;
     try {
@@ -201,14 +203,34 @@ glsl::Spirv compile_standalone_text(const Case& c, const std::string& text, cons
     if (has_undefined_value(words))
         throw CompileError("{}:1: a function in it, or included by it, returns no value on some path", file);
     const glsl::Reflection reflection = glsl::reflect(words, file);
-    const std::vector<std::uint32_t> expected =
-        c.reference.takes_mask ? std::vector<std::uint32_t>{0, 1, 2} : std::vector<std::uint32_t>{0, 1};
+    std::vector<std::uint32_t> expected{0, 1};
+    if (c.reference.takes_mask) expected.push_back(2);
+    if (with_addition) expected.push_back(added_binding);
     for (const std::uint32_t binding : reflection.storage_buffers)
         if (std::ranges::find(expected, binding) == expected.end())
             throw CompileError(
                 "{}:1: uses a buffer of its own (binding {}); a kernel is a function of its parameters", file,
                 binding);
     return words;
+}
+
+} // namespace
+
+std::string standalone_text(const Case& c, const glsl::Sources& sources) {
+    return text_with(c, sources, Addition());
+}
+
+glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources, bool kept) {
+    return compile_standalone_text(c, standalone_text(c, sources), sources.root.filename().string(), kept);
+}
+
+glsl::Spirv compile_standalone(const Case& c, const glsl::Sources& sources, const Addition& addition) {
+    return compile_text(c, text_with(c, sources, addition), sources.root.filename().string(), true, true);
+}
+
+glsl::Spirv compile_standalone_text(const Case& c, const std::string& text, const std::string& folder,
+                                    bool kept) {
+    return compile_text(c, text, folder, kept, false);
 }
 
 Records::Records(const Case& c)
@@ -253,7 +275,10 @@ std::string Outputs::complaint() const {
     return {};
 }
 
-Outputs run_standalone(gpu::Device& device, gpu::Kernel& kernel, const Case& c, const Records& records) {
+namespace {
+
+Outputs run_with(gpu::Device& device, gpu::Kernel& kernel, const Case& c, const Records& records,
+                 gpu::Buffer* added) {
     const auto components = static_cast<std::size_t>(c.reference.result.components);
     const std::size_t result_words = records.size() * components;
     const gpu::Buffer inputs = device.upload(records.words());
@@ -266,9 +291,13 @@ Outputs run_standalone(gpu::Device& device, gpu::Kernel& kernel, const Case& c, 
         device.write(results, std::as_bytes(std::span(memory)));
         const auto count = static_cast<std::uint32_t>(samples);
         const gpu::Dispatch dispatch{.threads = {count, 1, 1}, .constants = gpu::bytes_of(count)};
-        outputs.nanoseconds = c.reference.takes_mask
-                                  ? device.run(kernel, {&inputs, &results, &masks}, dispatch)
-                                  : device.run(kernel, {&inputs, &results}, dispatch);
+        if (added) device.write(*added, std::vector<std::byte>(added->size()));
+        const bool masked = c.reference.takes_mask;
+        outputs.nanoseconds = masked && added
+                                  ? device.run(kernel, {&inputs, &results, &masks, added}, dispatch)
+                              : masked ? device.run(kernel, {&inputs, &results, &masks}, dispatch)
+                              : added  ? device.run(kernel, {&inputs, &results, added}, dispatch)
+                                       : device.run(kernel, {&inputs, &results}, dispatch);
         device.read(results, std::as_writable_bytes(std::span(memory)));
         const auto poisoned = [&](std::uint32_t word) { return word == poison; };
         const auto end_of_results =
@@ -293,6 +322,17 @@ Outputs run_standalone(gpu::Device& device, gpu::Kernel& kernel, const Case& c, 
             outputs.unstable = true;
     }
     return outputs;
+}
+
+} // namespace
+
+Outputs run_standalone(gpu::Device& device, gpu::Kernel& kernel, const Case& c, const Records& records) {
+    return run_with(device, kernel, c, records, nullptr);
+}
+
+Outputs run_standalone(gpu::Device& device, gpu::Kernel& kernel, const Case& c, const Records& records,
+                       gpu::Buffer& added) {
+    return run_with(device, kernel, c, records, &added);
 }
 
 Outputs evaluate(gpu::Device& device, const glsl::Sources& sources, const Case& c, const Records& records) {

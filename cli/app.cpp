@@ -55,6 +55,7 @@ std::unique_ptr<CLI::App> make_app(Common& common, int& exit_code) {
     add_atlas(app, common, exit_code);
     add_bench(app, common, exit_code);
     add_worst(app, common, exit_code);
+    add_coverage(app, common, exit_code);
     add_fuzz(app, common, exit_code);
     add_mutate(app, common, exit_code);
     add_watch(app, common, exit_code);

@@ -22,7 +22,18 @@ struct Options {
     std::string seed;
     std::optional<std::size_t> samples;
     unsigned jobs = 0;
+    bool coverage = false;
 };
+
+coverage::Coverage measure_coverage(const CheckOptions& check) {
+    coverage::Options what;
+    what.check = check;
+    what.check.regressions = GNOMON_SOURCE_DIR "/fixtures/regressions";
+    const std::vector<const Case*> cases = find_cases("");
+    Progress progress("measuring");
+    const std::size_t total = samples_asked_for(cases, check);
+    return coverage::measure(cases, what, [&](std::size_t done) { progress.show(done, total); });
+}
 
 int run(const Options& options, const Common& common, const std::string& replay) {
     atlas::Options what = atlas_options(common);
@@ -31,6 +42,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     what.check.seed = parse_seed(options.seed);
     what.check.jobs = options.jobs;
     const fs::path path = require_atlas_folder(options.folder, common);
+    if (options.coverage) what.coverage = measure_coverage(what.check);
     atlas::Atlas atlas;
     {
         Progress progress("checking");
@@ -60,6 +72,8 @@ void add_atlas(CLI::App& app, Common& common, int& exit_code) {
     verb->add_option("--seed", options->seed, "of all kernels (default: each its own, the hash of its name)");
     verb->add_option("--census", options->censuses,
                      "JSON file of shares counted elsewhere, as gnomon census writes it; may be repeated");
+    verb->add_flag("--coverage", options->coverage,
+                   "show which lines and branches of each case were reached, as gnomon coverage counts them");
     verb->add_option("--jobs", options->jobs,
                      "worker threads, each with its own device (default: one per core)")
         ->check(CLI::Range(0u, 256u));

@@ -32,6 +32,7 @@ void add_atlas(CLI::App& app, Common& common, int& exit_code);
 void add_bench(CLI::App& app, Common& common, int& exit_code);
 void add_bench_hybrid(CLI::App& bench, Common& common, int& exit_code); // bench's own
 void add_worst(CLI::App& app, Common& common, int& exit_code);
+void add_coverage(CLI::App& app, Common& common, int& exit_code);
 void add_fuzz(CLI::App& app, Common& common, int& exit_code);
 void add_mutate(CLI::App& app, Common& common, int& exit_code);
 void add_watch(CLI::App& app, Common& common, int& exit_code);

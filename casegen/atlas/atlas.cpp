@@ -114,6 +114,15 @@ void add_revectorized(FamilyEntries& family, const std::vector<CheckReport>& rep
         *pictures[i].image = mask_image(visibility, *pictures[i].mask, pictures[i].scale, *outputs, first[i]);
 }
 
+void add_coverage(Entry& entry, const coverage::Coverage& coverage) {
+    const std::string name = entry.kernel->name + ".glsl";
+    for (const coverage::FileCoverage& file : coverage.files)
+        if (file.name == name) entry.coverage = file;
+    for (const coverage::KernelRun& run : coverage.kernels)
+        if (run.kernel->name == entry.kernel->name && !run.trouble.empty() && runs(entry.report))
+            entry.trouble = "With counters it " + run.trouble;
+}
+
 /// Found for the whole family at once.
 void add_ways(FamilyEntries& family) {
     for (BranchWitness& found : branch_witnesses(*family.family)) {
@@ -152,6 +161,7 @@ Atlas make_atlas(const std::vector<Family>& families, const Options& options,
     atlas.own_seeds = !options.check.seed;
     atlas.masks_seed = options.check.seed.value_or(default_seed("masks"));
     atlas.censuses = options.censuses;
+    if (options.coverage) atlas.coverage = coverage::totals(*options.coverage);
     const EdgePool pool = make_edge_pool(atlas.masks_seed);
     atlas.masks = pool.masks.size();
     atlas.edge_texels = pool.entries.size();
@@ -169,6 +179,7 @@ Atlas make_atlas(const std::vector<Family>& families, const Options& options,
             entry.text = text_or_nothing(options.check.kernels / (c.name + ".glsl"));
             entry.comment = leading_comment(entry.text);
             entry.share = corpus_share(c, pool);
+            if (options.coverage) add_coverage(entry, *options.coverage);
             entries.cases.push_back(std::move(entry));
         }
         std::ranges::stable_sort(entries.cases, {}, [](const Entry& e) { return e.kernel->number; });

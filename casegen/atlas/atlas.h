@@ -4,6 +4,7 @@
 #include "casegen/atlas/frequency.h"
 #include "casegen/atlas/values.h"
 #include "casegen/check.h"
+#include "casegen/coverage/measure.h"
 #include "casegen/witness.h"
 
 #include <functional>
@@ -15,7 +16,8 @@ namespace gnomon::atlas {
 
 struct Options {
     CheckOptions check;
-    std::vector<Census> censuses; ///< shown beside what the corpus says
+    std::vector<Census> censuses;               ///< shown beside what the corpus says
+    std::optional<coverage::Coverage> coverage; ///< what is shown of it: each case's own file
 };
 
 /// One way through a case: what its kernel reads of the surroundings, and the smallest mask for it.
@@ -29,8 +31,9 @@ struct Way {
 struct Entry {
     const Case* kernel = nullptr;
     CheckReport report;
-    std::string text;    ///< of the kernel's file; empty if it cannot be read
-    std::string comment; ///< the one that it begins with
+    std::string text;                               ///< of the kernel's file; empty if it cannot be read
+    std::string comment;                            ///< the one that it begins with
+    std::optional<coverage::FileCoverage> coverage; ///< of its file, if that was measured
     std::optional<Witness>
         witness; ///< the smallest at which the reference varies over the texel, if any does
     std::optional<ValueMap> values;    ///< over the witness texel
@@ -54,6 +57,7 @@ struct Atlas {
     bool own_seeds = true; ///< each kernel's seed is its name's hash
     std::size_t masks = 0, edge_texels = 0;
     std::vector<Census> censuses;
+    std::optional<coverage::Totals> coverage; ///< of all files, if they were measured
     std::vector<FamilyEntries> families;
 
     bool passes() const; ///< every kernel does

@@ -59,6 +59,10 @@ std::string introduction(const Atlas& atlas) {
     row("Seed", atlas.own_seeds ? "of each kernel, its name’s hash" : fmt::format("{:#x}", atlas.masks_seed));
     row("Masks",
         fmt::format("{}, with {} edge texels; seed {:#x}", atlas.masks, atlas.edge_texels, atlas.masks_seed));
+    if (atlas.coverage)
+        row("Reached, of all kernels’ texts",
+            fmt::format("{} of {} lines, {} of {} branches", atlas.coverage->lines.all,
+                        atlas.coverage->lines.of, atlas.coverage->branches.all, atlas.coverage->branches.of));
     return html + "</dl>\n";
 }
 
@@ -185,6 +189,11 @@ std::string legend(const Atlas& atlas, double widest_share) {
             "<dt><math><msub><mi>D</mi><mi>r</mi></msub></math>, "
             "<math><msub><mi>D</mi><mi>g</mi></msub></math></dt>"
             "<dd>1 if the x side’s, the y side’s edge goes on beyond the corner</dd>\n";
+    if (atlas.coverage)
+        html +=
+            "<dt>Reached</dt><dd>how often a line of the kernel’s file was run, and how often each condition "
+            "on it was true and false, over the inputs of all kernels that include the file: fixtures "
+            "(regressions, worst inputs, pins, hostile and stiff values) and random samples.</dd>\n";
     html += names_of_formulas(atlas);
     return html + "</dl>\n</div>\n</section>\n";
 }

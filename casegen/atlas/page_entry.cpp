@@ -1,6 +1,7 @@
 #include "casegen/atlas/page_entry.h"
 
 #include "casegen/atlas/html.h"
+#include "casegen/atlas/listing.h"
 #include "casegen/atlas/mathml.h"
 #include "casegen/atlas/picture.h"
 #include "casegen/mask_families.h"
@@ -163,14 +164,16 @@ std::string facts(const Entry& entry, const PageContext& context) {
     fact("Allowed", escape_html(to_string(c.tolerance)));
     fact("Samples", fmt::format("{}", entry.report.samples));
     fact("ns per evaluation", nanoseconds_html(entry.report));
+    if (entry.coverage) fact("Reached", reached_in_words(*entry.coverage));
     return "<dl class=\"facts\">\n" + html + "</dl>\n";
 }
 
 std::string kernel_text(const Entry& entry, const PageContext& context) {
     const Case& c = *entry.kernel;
     const std::string path = "kernels/" + c.name + ".glsl";
-    std::string html = fmt::format("<details class=\"kernel\"><summary>{}, signature and columns</summary>\n",
-                                   escape_html(path));
+    std::string html =
+        fmt::format("<details class=\"kernel\"><summary>{}, signature and columns{}</summary>\n",
+                    escape_html(path), entry.coverage ? ", and what was reached of it" : "");
     html += fmt::format("<p><code>{}</code></p>\n", escape_html(signature(c)));
     html += fmt::format("<p>CSV columns: <code>{}</code></p>\n", fmt::join(columns(c), ","));
     html +=
@@ -187,7 +190,10 @@ std::string kernel_text(const Entry& entry, const PageContext& context) {
     if (!context.kernels.empty())
         html += fmt::format("<p><a href=\"{}/{}.glsl\">{}</a></p>\n", escape_html(context.kernels),
                             escape_html(c.name), escape_html(path));
-    return html + fmt::format("<pre><code>{}</code></pre></details>\n", glsl_to_html(entry.text));
+    return html +
+           (entry.coverage ? listing_html(*entry.coverage)
+                           : fmt::format("<pre><code>{}</code></pre>", glsl_to_html(entry.text))) +
+           "</details>\n";
 }
 
 std::string shares_by_family(const Entry& entry) {
