@@ -1,12 +1,12 @@
 // The truth of the soups, on triangles whose answer is plain.
-#include "tests/hybrid/exact_ray.h"
+#include "casegen/hybrid/exact_ray.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-namespace gnomon::testing {
+namespace gnomon::hybrid {
 namespace {
 
 constexpr std::array<glm::vec3, 3> flat{glm::vec3(-1, 2, -1), glm::vec3(2, 2, -1), glm::vec3(-1, 2, 2)};
@@ -38,4 +38,4 @@ TEST(exact_ray, does_not_meet_what_it_lies_in) {
 }
 
 } // namespace
-} // namespace gnomon::testing
+} // namespace gnomon::hybrid

@@ -1,7 +1,8 @@
 // No certain pixel of a sound technique is wrong, whatever the triangles: random soups and the small scenes
 // of fixtures/scenes/hybrid, against exact rays.
-#include "tests/hybrid/certain.h"
-#include "tests/hybrid/soups.h"
+#include "casegen/hybrid/certain.h"
+#include "casegen/hybrid/soups.h"
+#include "tests/pipeline/view.h"
 #include "tests/support/environment.h"
 
 #include <fmt/format.h>
@@ -14,6 +15,9 @@
 namespace gnomon::testing {
 namespace {
 
+using hybrid::certainties, hybrid::Certainty, hybrid::exact_visibility, hybrid::sound_techniques;
+using hybrid::soup, hybrid::soup_camera, hybrid::soup_light, hybrid::soup_settings;
+
 constexpr std::uint64_t seed = 2501;
 constexpr std::uint64_t lights = 3; // of each scene
 
@@ -22,8 +26,9 @@ class Sums {
 public:
     void judge(Renderer& renderer, const Scene& scene, const View& view, const std::string& where) {
         for (const Certainty& each :
-             certainties(renderer, exact_visibility(renderer, scene, view), sound_techniques())) {
-            EXPECT_EQ(each.wrong, 0u) << where << ": " << each.first;
+             certainties(renderer, exact_visibility(renderer, scene, view.camera, view.light, view.settings),
+                         sound_techniques())) {
+            EXPECT_EQ(each.wrong(), 0u) << where << ": " << each.first;
             Certainty& sum = sums_[each.technique];
             sum.facing += each.facing;
             sum.lit += each.lit;

@@ -1,8 +1,8 @@
 // Transposition and mirror images on the device: the same bits, for points at which nothing is rounded.
 #include "casegen/catalogue.h"
+#include "casegen/symmetry.h"
 #include "tests/support/device.h"
 #include "tests/support/masks.h"
-#include "tests/support/symmetry.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,6 @@
 
 namespace gnomon {
 namespace {
-
-using testing::Symmetry;
 
 class device_symmetry : public ::testing::TestWithParam<Symmetry> {};
 
@@ -92,7 +90,7 @@ TEST_P(device_symmetry, of_filters_and_shapes_is_exact_but_for_roundings) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(of_the_square, device_symmetry, ::testing::ValuesIn(testing::symmetries),
+INSTANTIATE_TEST_SUITE_P(of_the_square, device_symmetry, ::testing::ValuesIn(symmetries),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 } // namespace

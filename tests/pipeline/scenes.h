@@ -1,18 +1,11 @@
 // Scenes whose shadows can be worked out by hand.
 #pragma once
 
-#include "runtime/scene.h"
-
-#include <array>
+#include "casegen/plain_scenes.h"
 
 namespace gnomon::testing {
 
-/// The corners in either sense of rotation.
-void add_quad(Scene& scene, const std::array<glm::vec3, 4>& corners);
-void add_box(Scene& scene, glm::vec3 lower, glm::vec3 upper);
-
-/// A square in the plane y = 0, of `cells` x `cells` quads.
-Scene ground(float half_side, int cells = 1);
+using gnomon::add_box, gnomon::add_quad, gnomon::ground;
 
 /// A box of 2 x 1.5 x 1 on a square of 12 x 12.
 Scene box_on_ground();

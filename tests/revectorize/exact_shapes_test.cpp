@@ -5,7 +5,7 @@
 // Errors are means over points in it.
 #include "casegen/mask_families.h"
 #include "casegen/random.h"
-#include "tests/support/symmetry.h"
+#include "casegen/symmetry.h"
 #include "tests/support/techniques.h"
 
 #include <fmt/format.h>

@@ -6,8 +6,8 @@
 
 #include "casegen/mask_families.h"
 #include "casegen/random.h"
+#include "casegen/symmetry.h"
 #include "tests/support/masks.h"
-#include "tests/support/symmetry.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -34,9 +34,9 @@ struct Misclassified {
 
 /// A line of `slope` between 0 and 1 in one of eight orientations.
 Misclassified misclassified(double slope, unsigned orientation, std::uint64_t seed) {
-    std::vector<const testing::Symmetry*> turns;
+    std::vector<const Symmetry*> turns;
     for (unsigned bit = 0; bit < 3; ++bit)
-        if ((orientation & (1u << bit)) != 0) turns.push_back(&testing::symmetries[bit]);
+        if ((orientation & (1u << bit)) != 0) turns.push_back(&symmetries[bit]);
 
     Random random(51, seed);
     Misclassified result;
@@ -45,7 +45,7 @@ Misclassified misclassified(double slope, unsigned orientation, std::uint64_t se
         const double offset = size / 2.0 - slope * size / 2.0 + (n + random.unit()) / offsets;
         const Mask upright = half_plane(size, slope, -1, -offset); // shadow where y > slope x + offset
         Mask turned = upright;
-        for (const testing::Symmetry* turn : turns) turned = turn->of_mask(turned);
+        for (const Symmetry* turn : turns) turned = turn->of_mask(turned);
         for (int y = 1; y < size - 1; ++y)
             for (int x = margin; x < size - margin; ++x) {
                 if (reference::discontinuity(upright, {x, y}) == glm::uvec2(0)) continue;
@@ -54,7 +54,7 @@ Misclassified misclassified(double slope, unsigned orientation, std::uint64_t se
                     ivec2 texel(x, y);
                     dvec2 point = p;
                     Mask const* mask = &upright; // texels move within a square: any of the masks says how
-                    for (const testing::Symmetry* turn : turns) {
+                    for (const Symmetry* turn : turns) {
                         texel = turn->of_texel(*mask, texel);
                         point = turn->of_point(point);
                     }

@@ -2,10 +2,10 @@
 // for every reading of the document. docs/revectorization.md 4.4
 #include "casegen/reference/rbsm.h"
 #include "casegen/reference/rsmss.h"
+#include "casegen/symmetry.h"
 
 #include "tests/support/case_chain.h"
 #include "tests/support/masks.h"
-#include "tests/support/symmetry.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -18,27 +18,11 @@ namespace {
 
 using glm::dvec2;
 using glm::ivec2;
-using testing::Symmetry;
 
 /// Readings that choose by the order of a list are not symmetric, and cannot be.
 constexpr unsigned symmetric_options = reference::printed_end | reference::opposite_breach |
                                        reference::ramped_bar | reference::long_runs |
                                        reference::breach_by_position;
-
-unsigned transposed_number(unsigned number) {
-    return testing::detail::exchange(number, {{4, 6},
-                                              {5, 7},
-                                              {8, 10},
-                                              {9, 11},
-                                              {12, 14},
-                                              {13, 15},
-                                              {16, 17},
-                                              {20, 21},
-                                              {22, 23},
-                                              {24, 25},
-                                              {28, 29},
-                                              {30, 31}});
-}
 
 class rsmss_symmetry : public ::testing::TestWithParam<Symmetry> {
 protected:
@@ -53,8 +37,7 @@ protected:
                 if (here.sides == glm::uvec2(0)) continue;
                 const Case *c = cases_.case_of(here), *c_turned = cases_.case_of(turned);
                 const unsigned number = c ? c->number : 0;
-                const bool transposes = std::string(turn.name) == "transposed";
-                ASSERT_EQ(c_turned ? c_turned->number : 0, transposes ? transposed_number(number) : number)
+                ASSERT_EQ(c_turned ? c_turned->number : 0, turn.of_rsmss_number(number))
                     << format_mask(mask, '\n');
                 ++met_[number];
                 const unsigned options = random.below(128) & symmetric_options;
@@ -95,7 +78,7 @@ TEST_P(rsmss_symmetry, holds_on_4x4_masks) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(of_the_square, rsmss_symmetry, ::testing::ValuesIn(testing::symmetries),
+INSTANTIATE_TEST_SUITE_P(of_the_square, rsmss_symmetry, ::testing::ValuesIn(symmetries),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 // Light and shadow exchanged: what one gains the other loses, except where the document means it otherwise:

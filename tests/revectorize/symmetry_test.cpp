@@ -1,16 +1,14 @@
 // What a mask's transposition and mirror images do to case and value. docs/revectorization.md 1 and 2.2
 #include "casegen/reference/mask_space.h"
+#include "casegen/symmetry.h"
 
 #include "tests/support/masks.h"
 #include "tests/support/smsr_chain.h"
-#include "tests/support/symmetry.h"
 
 #include <gtest/gtest.h>
 
 namespace gnomon {
 namespace {
-
-using testing::Symmetry;
 
 class symmetry : public ::testing::TestWithParam<Symmetry> {
 protected:
@@ -57,7 +55,7 @@ TEST_P(symmetry, holds_on_4x4_masks) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(of_the_square, symmetry, ::testing::ValuesIn(testing::symmetries),
+INSTANTIATE_TEST_SUITE_P(of_the_square, symmetry, ::testing::ValuesIn(symmetries),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 } // namespace

@@ -1,11 +1,11 @@
-#include "tests/hybrid/soups.h"
+#include "casegen/hybrid/soups.h"
 
-#include "tests/pipeline/scenes.h"
+#include "casegen/plain_scenes.h"
 
 #include <array>
 #include <cmath>
 
-namespace gnomon::testing {
+namespace gnomon::hybrid {
 namespace {
 
 using glm::vec3;
@@ -182,4 +182,4 @@ ViewSettings soup_settings(std::uint64_t index) {
     return settings;
 }
 
-} // namespace gnomon::testing
+} // namespace gnomon::hybrid

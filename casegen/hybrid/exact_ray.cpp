@@ -1,11 +1,11 @@
-#include "tests/hybrid/exact_ray.h"
+#include "casegen/hybrid/exact_ray.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <array>
 #include <cmath>
 
-namespace gnomon::testing {
+namespace gnomon::hybrid {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -91,4 +91,4 @@ bool meets(const Ray& ray, const Scene& scene) {
     return false;
 }
 
-} // namespace gnomon::testing
+} // namespace gnomon::hybrid

@@ -1,9 +1,11 @@
-#include "tests/hybrid/certain.h"
+#include "casegen/hybrid/certain.h"
+
+#include "casegen/hybrid/exact_ray.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-namespace gnomon::testing {
+namespace gnomon::hybrid {
 
 std::vector<std::string> sound_techniques() {
     std::vector<std::string> names;
@@ -12,9 +14,10 @@ std::vector<std::string> sound_techniques() {
     return names;
 }
 
-std::vector<std::uint8_t> exact_visibility(Renderer& renderer, const Scene& scene, const View& view) {
+std::vector<std::uint8_t> exact_visibility(Renderer& renderer, const Scene& scene, const Camera& camera,
+                                           const Light& light, const ViewSettings& settings) {
     // The direction as runtime/rays.cpp gives it to the ray tracer.
-    const shared::Frame frame = make_frame(view.camera, view.light, view.settings, scene.bounds());
+    const shared::Frame frame = make_frame(camera, light, settings, scene.bounds());
     const glm::vec3 direction(glm::normalize(glm::dvec3(glm::vec3(frame.light_origin))));
     const std::vector<shared::Receiver>& receivers = renderer.receivers();
     const Surfaces& surfaces = renderer.surfaces();
@@ -40,7 +43,8 @@ std::vector<Certainty> certainties(Renderer& renderer, const std::vector<std::ui
             const bool lit = states[i] == PixelState::lit;
             ++(lit ? found.lit : found.shadowed);
             if (lit == (exact[i] != 0)) continue;
-            if (found.wrong++ == 0)
+            ++(lit ? found.lit_wrongly : found.shadowed_wrongly);
+            if (found.wrong() == 1)
                 found.first = fmt::format("{} says that pixel {} is {}", name, i, lit ? "lit" : "shadowed");
         }
         all.push_back(found);
@@ -48,4 +52,4 @@ std::vector<Certainty> certainties(Renderer& renderer, const std::vector<std::ui
     return all;
 }
 
-} // namespace gnomon::testing
+} // namespace gnomon::hybrid

@@ -3,9 +3,8 @@
 
 #include "casegen/random.h"
 #include "runtime/pipeline/view.h"
-#include "tests/pipeline/view.h"
 
-namespace gnomon::testing {
+namespace gnomon::hybrid {
 
 /// 8 to 300 triangles: overlapping, intersecting, shared edges wound either way, duplicates, fans of three
 /// and more round an edge, walls, far away, slivers, tiny and huge. The same for the same numbers.
@@ -18,4 +17,4 @@ Light soup_light(std::uint64_t seed, std::uint64_t index);
 /// Map size, fit and where rays begin.
 ViewSettings soup_settings(std::uint64_t index);
 
-} // namespace gnomon::testing
+} // namespace gnomon::hybrid

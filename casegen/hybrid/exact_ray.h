@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace gnomon::testing {
+namespace gnomon::hybrid {
 
 /// origin + t direction, tmin < t.
 struct Ray {
@@ -21,4 +21,4 @@ bool meets(const Ray& ray, std::span<const glm::vec3, 3> triangle);
 /// Any triangle of the scene.
 bool meets(const Ray& ray, const Scene& scene);
 
-} // namespace gnomon::testing
+} // namespace gnomon::hybrid
