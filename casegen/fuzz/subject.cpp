@@ -30,7 +30,7 @@ std::string failure_of(const Outputs& outputs) {
 }
 
 Subject::Subject(const Case& c, const glsl::Sources& sources, gpu::Device& device)
-    : case_(c), device_(device), kernel_(device.kernel(compile_standalone(c, sources), c.name)) {}
+    : case_(c), device_(device), kernel_(device.kernel(compile_standalone(c, sources), c.name)), quick_(c) {}
 
 Outputs Subject::run(const Records& records) { return run_standalone(device_, kernel_, case_, records); }
 

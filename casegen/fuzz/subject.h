@@ -2,6 +2,7 @@
 #pragma once
 
 #include "casegen/fuzz/failure.h"
+#include "casegen/fuzz/quick_judge.h"
 #include "casegen/fuzz/regression.h"
 #include "casegen/fuzz/shrink.h"
 #include "runtime/gpu/device.h"
@@ -18,6 +19,7 @@ public:
     Subject(const Case& c, const glsl::Sources& sources, gpu::Device& device);
 
     const Case& kernel() const { return case_; }
+    const QuickJudge& quick() const { return quick_; }
 
     /// Throws KernelTimeout.
     Outputs run(const Records& records);
@@ -38,6 +40,7 @@ private:
     const Case& case_;
     gpu::Device& device_;
     gpu::Kernel kernel_;
+    QuickJudge quick_;
 };
 
 /// What the whole dispatch complains of, as a failure; empty if it does not.

@@ -85,10 +85,17 @@ public:
         const std::size_t end = std::min(total(), begin + batch_size_of(case_));
         Records records(case_);
         records.reserve(end - begin);
-        for (std::size_t i = begin; i < end; ++i)
-            records.add_with([&](std::span<std::uint32_t> words) {
-                return i < fixed_ ? sampler_->draw(i, words) : (*draw_)(i - fixed_, worst_.rows(), words);
+        std::size_t i = begin;
+        for (; i < std::min(end, fixed_); ++i)
+            records.add_with([&](std::span<std::uint32_t> words) { return sampler_->draw(i, words); });
+        while (i < end) {
+            const std::size_t in_block = (i - fixed_) % draw_->block_size();
+            const std::size_t count = std::min(end - i, draw_->block_size() - in_block);
+            records.add_block(count, [&](const auto& row) {
+                return draw_->draw_block(i - fixed_, i - fixed_ + count, worst_.rows(), row);
             });
+            i += count;
+        }
         return records;
     }
 
@@ -121,7 +128,7 @@ std::map<std::string, std::size_t> judge_batch(Subject& subject, const Records& 
     const auto components = static_cast<std::size_t>(c.reference.result.components);
     const std::vector<Truth> truths = measure::truths_on(c, records, 1, {});
     std::map<std::string, std::size_t> firsts;
-    for (std::size_t i = 0; i < records.size(); ++i) {
+    for (const std::size_t i : subject.quick().to_look_at(records, outputs.words)) {
         const Arguments with = arguments(c, records.input(i), records.mask(i));
         const std::span<const std::uint32_t> got(outputs.words.data() + i * components, components);
         const Agreement agreement = judge(c, with, got, truths.empty() ? nullptr : &truths[i]);

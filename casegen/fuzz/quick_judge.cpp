@@ -1,0 +1,140 @@
+#include "casegen/fuzz/quick_judge.h"
+
+#include "casegen/compare.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gnomon::fuzz {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The largest errors of a batch, and which records they are.
+class Largest {
+public:
+    void add(double error, std::size_t record) {
+        if (error <= least_) return;
+        errors_.emplace_back(error, record);
+        if (errors_.size() < 4 * kept) return;
+        cut();
+        least_ = errors_.back().first;
+    }
+    void append_to(std::vector<std::size_t>& records) {
+        if (errors_.size() > kept) cut();
+        for (const auto& [error, record] : errors_) records.push_back(record);
+    }
+
+private:
+    static constexpr std::size_t kept = 64;
+    /// Of equal errors the first records stay, so that what stays depends on the batch alone.
+    void cut() {
+        std::ranges::sort(errors_, [](const auto& a, const auto& b) {
+            return a.first != b.first ? a.first > b.first : a.second < b.second;
+        });
+        errors_.resize(kept);
+    }
+    std::vector<std::pair<double, std::size_t>> errors_;
+    double least_ = 0;
+};
+
+/// A bit for each of the listed values if all are whole numbers from 0 to 63 and one to an input; else 0.
+std::uint64_t few_of(Type type, const Domain& domain) {
+    if (type.components != 1 || type.scalar == Scalar::float32) return 0;
+    std::uint64_t few = 0;
+    for (const std::vector<double>& choice : domain.choices) {
+        if (!(choice[0] >= 0 && choice[0] <= 63)) return 0;
+        few |= std::uint64_t{1} << static_cast<unsigned>(choice[0]);
+    }
+    return few;
+}
+
+} // namespace
+
+QuickJudge::QuickJudge(const Case& c) : case_(c) {
+    for (std::size_t i = 0; i < c.parameters.size(); ++i) {
+        const Type type = c.reference.parameters[i];
+        const Domain& domain = c.parameters[i].domain;
+        const bool listed = !domain.choices.empty();
+        const auto components = static_cast<std::size_t>(type.components);
+        if (const std::uint64_t few = listed ? few_of(type, domain) : 0; few != 0)
+            few_.push_back({bounds_.size(), few});
+        else if (listed)
+            choices_.push_back({bounds_.size(), components, &domain.choices});
+        for (std::size_t k = 0; k < components; ++k)
+            bounds_.push_back(
+                {type.scalar, listed ? -infinity : domain.lower, listed ? infinity : domain.upper});
+    }
+}
+
+bool QuickJudge::inside(std::span<const std::uint32_t> words, const Mask* mask) const {
+    bool within = true; // no way out halfway: a branch that nobody can predict costs more than the rest
+    for (std::size_t i = 0; i < bounds_.size(); ++i) {
+        const double number = widen(bounds_[i].scalar, words[i]);
+        within = within & (number >= bounds_[i].lower) & (number <= bounds_[i].upper);
+    }
+    for (const Few& few : few_)
+        within = within & (words[few.word] < 64) & ((few.allowed >> (words[few.word] & 63) & 1) != 0);
+    if (!within) return false;
+    for (const Choices& choices : choices_)
+        if (std::ranges::none_of(*choices.values, [&](const std::vector<double>& choice) {
+                for (std::size_t k = 0; k < choices.components; ++k)
+                    if (choice[k] != widen(bounds_[choices.word + k].scalar, words[choices.word + k]))
+                        return false;
+                return true;
+            }))
+            return false;
+    return !case_.where || case_.where(arguments(case_, words, mask));
+}
+
+std::vector<std::size_t> QuickJudge::to_look_at(const Records& records,
+                                                std::span<const std::uint32_t> results) const {
+    std::vector<std::size_t> found;
+    if (case_.reference.truth) {
+        found.resize(records.size());
+        std::iota(found.begin(), found.end(), std::size_t{0});
+        return found;
+    }
+    const Type type = case_.reference.result;
+    const auto components = static_cast<std::size_t>(type.components);
+    const Tolerance& tolerance = case_.tolerance;
+    const bool by_difference = tolerance.kind == Tolerance::Kind::absolute;
+    Largest largest;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const std::span<const std::uint32_t> words = records.input(i);
+        const bool defined = inside(words, records.mask(i));
+        bool in_range = true;
+        std::array<double, 4> got{};
+        for (std::size_t k = 0; k < components; ++k) {
+            got[k] = widen(type.scalar, results[i * components + k]);
+            in_range = in_range & (got[k] >= case_.result.lower) & (got[k] <= case_.result.upper);
+        }
+        if (!in_range) {
+            if (defined || case_.defended) found.push_back(i);
+            continue;
+        }
+        if (!defined) continue;
+        const Arguments with = arguments(case_, words, records.mask(i));
+        const Numbers want = case_.reference.call(with);
+        double difference = 0;
+        bool nearest = true; // the float next to what is wanted
+        for (std::size_t k = 0; k < components; ++k) {
+            const double of_component = std::abs(got[k] - want[k]);
+            nearest = nearest & (static_cast<double>(static_cast<float>(want[k])) == got[k]);
+            difference = of_component <= difference ? difference : of_component; // NaN comes through
+        }
+        if (difference == 0) continue;
+        if (by_difference && difference <= tolerance.amount && (nearest || !exact_at(case_, with)))
+            largest.add(difference, i);
+        else
+            found.push_back(i);
+    }
+    largest.append_to(found);
+    std::ranges::sort(found);
+    return found;
+}
+
+} // namespace gnomon::fuzz
