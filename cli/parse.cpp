@@ -3,6 +3,7 @@
 #include "runtime/error.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 
@@ -45,6 +46,16 @@ std::optional<std::uint64_t> parse_seed(const std::string& text) {
         used = 0;
     }
     throw Error("--seed is \"{}\"; a whole number below 2^64 is needed, decimal or 0x…", text);
+}
+
+std::uint64_t parse_count(const std::string& text, const char* option) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    // 2^50: far below where doubles skip whole numbers.
+    if (error != std::errc{} || end != text.data() + text.size() || !(value >= 1 && value <= 0x1p50) ||
+        std::floor(value) != value)
+        throw Error("{} is \"{}\"; a whole number from 1 to 2^50 is needed, as 300000 or 1e9", option, text);
+    return static_cast<std::uint64_t>(value);
 }
 
 std::string replay_options(const CLI::App& app) {

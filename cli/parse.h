@@ -20,6 +20,10 @@ std::pair<int, int> parse_size(const std::string& text, const char* option);
 /// "7", "0x1f"; nothing for an empty text. Throws Error if it is not a whole number below 2^64.
 std::optional<std::uint64_t> parse_seed(const std::string& text);
 
+/// How many: "300000", "1e9", "2.5e6". Throws Error naming the option if it is not a whole number from 1 to
+/// 2^50.
+std::uint64_t parse_count(const std::string& text, const char* option);
+
 /// What a command that replays a finding must say besides: these kernels, this device.
 std::string replay_options(const CLI::App& app);
 
