@@ -1,5 +1,6 @@
 #include "casegen/catalogue.h"
 
+#include "casegen/pattern.h"
 #include "runtime/error.h"
 
 #include <fmt/format.h>
@@ -60,14 +61,16 @@ const std::vector<Family>& catalogue() {
     return families;
 }
 
-std::vector<const Case*> find_cases(const std::string& pattern) {
+bool matches(const std::string& name, const std::string& pattern) {
     const bool glob = pattern.find_first_of("*?[") != std::string::npos;
+    return glob ? fnmatch(pattern.c_str(), name.c_str(), 0) == 0 : name.find(pattern) != std::string::npos;
+}
+
+std::vector<const Case*> find_cases(const std::string& pattern) {
     std::vector<const Case*> found;
     for (const Family& family : catalogue())
         for (const Case& c : family.cases)
-            if (glob ? fnmatch(pattern.c_str(), c.name.c_str(), 0) == 0
-                     : c.name.find(pattern) != std::string::npos)
-                found.push_back(&c);
+            if (matches(c.name, pattern)) found.push_back(&c);
     if (found.empty()) throw unknown_kernel(pattern);
     return found;
 }

@@ -1,4 +1,6 @@
 #include "casegen/check.h"
+#include "casegen/fuzz/chain.h"
+#include "casegen/fuzz/replay.h"
 
 #include "cli/commands.h"
 #include "cli/parse.h"
@@ -23,7 +25,15 @@ struct Options {
 };
 
 int run(const Options& options, const Common& common, const std::string& replay) {
-    const std::vector<const Case*> cases = find_cases(options.pattern);
+    const std::vector<const Case*> named = fuzz::find_chains(options.pattern),
+                                   chains = fuzz::with_regressions(named, options.regressions);
+    std::vector<const Case*> cases;
+    if (const std::vector<const Case*> found = fuzz::find_subjects(options.pattern); found != named)
+        cases = find_cases(options.pattern);
+    else if (chains.empty())
+        throw Error("{} has no regressions on file, and nothing else of a chain is checked; gnomon fuzz '{}' "
+                    "examines it",
+                    named.front()->name, options.pattern);
     CheckOptions check_options;
     check_options.kernels = common.kernels;
     check_options.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
@@ -37,7 +47,9 @@ int run(const Options& options, const Common& common, const std::string& replay)
     {
         Progress progress("checking");
         const std::size_t total = samples_asked_for(cases, check_options);
-        reports = check(cases, check_options, [&](std::size_t done) { progress.show(done, total); });
+        if (!cases.empty())
+            reports = check(cases, check_options, [&](std::size_t done) { progress.show(done, total); });
+        for (CheckReport& report : fuzz::replay(chains, check_options)) reports.push_back(std::move(report));
     }
     require_no_validation_messages();
     if (options.format == "json")
@@ -81,7 +93,8 @@ void add_check(CLI::App& app, Common& common, int& exit_code) {
                      "folder of what gnomon fuzz found: run before all else")
         ->check(not_empty())
         ->capture_default_str();
-    verb->footer("Regressions, worst ones, pins and hostile values (NaN, infinities, denormals, ranges' "
+    verb->footer("Regressions (those of chains too, which nothing else here runs), worst ones, pins and "
+                 "hostile values (NaN, infinities, denormals, ranges' "
                  "ends) come first, then random "
                  "samples.\n\n"
                  "  gnomon check                          every kernel\n"

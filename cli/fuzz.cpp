@@ -1,5 +1,6 @@
 #include "casegen/check.h"
 #include "casegen/fuzz/campaign.h"
+#include "casegen/fuzz/chain.h"
 #include "cli/commands.h"
 #include "cli/fuzz_report.h"
 #include "cli/parse.h"
@@ -17,8 +18,7 @@ namespace gnomon::cli {
 namespace {
 
 struct Options {
-    std::string pattern, seed = "1", shard = "1/1", format = "text";
-    std::optional<std::uint64_t> samples;
+    std::string pattern, seed = "1", shard = "1/1", format = "text", samples;
     double seconds = 60;
     unsigned jobs = 0;
     bool restart = false, until_found = false;
@@ -42,7 +42,7 @@ void parse_shard(const std::string& text, fuzz::CampaignOptions& options) {
 
 int run(const Options& options, const Common& common, bool limited, const std::string& replay) {
     std::vector<const Case*> cases;
-    for (const Case* c : find_cases(options.pattern))
+    for (const Case* c : fuzz::find_subjects(options.pattern))
         if (c->fails.empty()) cases.push_back(c); // those that must fail need no proof
     if (cases.empty())
         throw Error("every kernel that \"{}\" names must fail its check: there is nothing to be found",
@@ -52,7 +52,7 @@ int run(const Options& options, const Common& common, bool limited, const std::s
     campaign.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
     campaign.worst = GNOMON_SOURCE_DIR "/fixtures/worst";
     campaign.regressions = options.regressions;
-    campaign.samples = options.samples;
+    if (!options.samples.empty()) campaign.samples = parse_count(options.samples, "--samples");
     campaign.seconds = options.seconds;
     campaign.seed = parse_seed(options.seed).value_or(1);
     campaign.jobs = options.jobs;
@@ -74,7 +74,8 @@ int run(const Options& options, const Common& common, bool limited, const std::s
     fuzz::CampaignReport report;
     {
         FuzzProgress progress;
-        if (options.format == "text") fmt::print("seed {:#x}, {} kernels\n", campaign.seed, cases.size());
+        if (options.format == "text")
+            fmt::print("seed {:#x}, {} kernels and chains\n", campaign.seed, cases.size());
         std::fflush(stdout);
         report = fuzz::run_campaign(cases, campaign,
                                     [&](const fuzz::CampaignProgress& now) { progress.show(now); });
@@ -91,14 +92,15 @@ void add_fuzz(CLI::App& app, Common& common, int& exit_code) {
         "fuzz", "search inputs on which kernels are wrong, crash or hang; shrink and keep what is found");
     auto options = std::make_shared<Options>();
     verb->add_option("PATTERN", options->pattern,
-                     "part of a name, or a pattern with * and ? (default: all kernels)");
+                     "part of a name, or a pattern with * and ?, of kernels, of chains over masks "
+                     "(chain/…)\nand over scenes (scene/…) (default: all)");
     verb->add_option("--seconds", options->seconds,
                      "begins no new batches after these; Ctrl-C ends it earlier")
         ->check(CLI::Range(0.0, 1e8))
         ->capture_default_str();
     verb->add_option("--samples", options->samples,
-                     "inputs of all kernels together, instead: the same ones every time")
-        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 50))
+                     "inputs of all kernels together, instead, as 300000 or 1e9: the same ones every time")
+        ->check(not_empty())
         ->excludes("--seconds");
     verb->add_option("--seed", options->seed, "another one draws other inputs")->capture_default_str();
     verb->add_option("--jobs", options->jobs, "worker processes (default: one per core)")
@@ -120,7 +122,7 @@ void add_fuzz(CLI::App& app, Common& common, int& exit_code) {
     verb->footer("Exit code 1 if anything fails. Every check begins with what is found here. An interrupted "
                  "campaign is\n"
                  "resumed by the same command. A batch may take 5 s unless --time-limit says otherwise.\n\n"
-                 "  gnomon fuzz                                one minute, all kernels\n"
+                 "  gnomon fuzz                                one minute, all kernels and chains\n"
                  "  gnomon fuzz 'smsr/case_*' --samples 1e9    a billion inputs\n"
                  "  gnomon fuzz --seconds 28800 --shard 2/8    a night on the second of eight machines");
     verb->callback([options, &app, &common, &exit_code] {

@@ -1,6 +1,7 @@
 #include "cli/fuzz_report.h"
 
 #include "casegen/check.h"
+#include "casegen/fuzz/chain.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,24 +23,27 @@ double per_second(std::uint64_t evaluations, double seconds) {
     return seconds > 0 ? static_cast<double>(evaluations) / seconds : 0;
 }
 
-std::string call_of(const Case& c, const fuzz::Input& input) {
-    return format_call(c, input.words, c.reference.takes_mask ? &input.mask : nullptr);
+std::string allowed(const Case& c) {
+    return fuzz::find_chain(c) ? "no broken invariant" : to_string(c.tolerance);
 }
 
 std::string finding_text(const fuzz::Finding& finding, const std::string& replay) {
     const fuzz::Regression& r = finding.regression;
-    const Case& c = find_case(r.kernel);
+    const Case& c = *fuzz::find_subject(r.kernel);
     std::string text = fmt::format("\nFAIL {}: {}{}\n", r.kernel, r.failure, finding.known ? " (known)" : "");
     if (finding.file.empty())
         return text + fmt::format("  {}\n", r.found.empty() ? r.got : r.got + "\n  " + r.found);
-    text += fmt::format("  {}\n", call_of(c, r.input));
+    text += fmt::format("  {}\n", fuzz::format_input(c, r.input));
     if (c.reference.takes_mask)
         for (int y = r.input.mask.height - 1; y >= 0; --y) {
             std::string row;
             for (int x = 0; x < r.input.mask.width; ++x) row += r.input.mask.lit(x, y) ? '.' : '#';
             text += fmt::format("    {}{}\n", row, y == r.input.mask.height - 1 ? "   +y" : "");
         }
-    text += fmt::format("  got {}, want {}, allowed {}\n", r.got, r.want, r.allowed);
+    if (!fuzz::find_chain(c))
+        text += fmt::format("  got {}, want {}, allowed {}\n", r.got, r.want, r.allowed);
+    if (fuzz::find_chain(c))
+        return text + fmt::format("  gnomon check {}{}\n  {}\n", r.kernel, replay, finding.file.string());
     gnomon::Finding replayed;
     replayed.input = r.input.words;
     if (c.reference.takes_mask) replayed.mask = r.input.mask;
@@ -80,7 +84,7 @@ std::string fuzz_text(const fuzz::CampaignReport& report, const fuzz::CampaignOp
         fmt::format("{:<{}}  {:>12}  {:>11}  {}\n", "kernel", width, "evaluations", "worst error", "allowed");
     for (const fuzz::KernelReport& kernel : report.kernels) {
         text += fmt::format("{:<{}}  {:>12}  {:>11}  {}\n", kernel.kernel->name, width, kernel.evaluations,
-                            format_error(kernel.worst_error), to_string(kernel.kernel->tolerance));
+                            format_error(kernel.worst_error), allowed(*kernel.kernel));
         if (!kernel.given_up.empty()) text += fmt::format("  given up: {}\n", kernel.given_up);
     }
     for (const fuzz::Finding& finding : report.findings) text += finding_text(finding, replay);
@@ -103,8 +107,8 @@ std::string fuzz_json(const fuzz::CampaignReport& report, const fuzz::CampaignOp
         Json entry{{"kernel", kernel.kernel->name},
                    {"evaluations", kernel.evaluations},
                    {"worst_error", kernel.worst_error},
-                   {"allowed", to_string(kernel.kernel->tolerance)}};
-        if (kernel.worst_error > 0) entry["worst"] = call_of(*kernel.kernel, kernel.worst);
+                   {"allowed", allowed(*kernel.kernel)}};
+        if (kernel.worst_error > 0) entry["worst"] = fuzz::format_input(*kernel.kernel, kernel.worst);
         if (!kernel.given_up.empty()) entry["given_up"] = kernel.given_up;
         kernels.push_back(std::move(entry));
     }

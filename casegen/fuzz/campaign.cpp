@@ -1,6 +1,7 @@
 #include "casegen/fuzz/campaign.h"
 
 #include "casegen/check.h"
+#include "casegen/fuzz/chain.h"
 #include "casegen/fuzz/journal.h"
 #include "casegen/fuzz/plan.h"
 #include "casegen/fuzz/workers.h"
@@ -291,6 +292,18 @@ private:
     CampaignReport report_;
 };
 
+/// Every file of a folder: what chains may depend on.
+std::string kernels_text(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) paths.push_back(entry.path());
+    std::ranges::sort(paths);
+    std::string text;
+    for (const std::filesystem::path& path : paths)
+        text += path.lexically_relative(folder).string() + '\n' + read_file(path);
+    return text;
+}
+
 } // namespace
 
 CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOptions& options,
@@ -301,10 +314,14 @@ CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOp
 
 std::string journal_name(std::span<const Case* const> cases, const CampaignOptions& options) {
     const glsl::Sources sources = kernel_sources(options.kernels);
-    std::string all = fmt::format("{} {:#x} {} {} {}", GNOMON_VERSION, options.seed,
+    constexpr int way_of_drawing = 2; // another one when the same seed draws other inputs
+    std::string all = fmt::format("{} {} {:#x} {} {} {}", GNOMON_VERSION, way_of_drawing, options.seed,
                                   options.samples.value_or(0), options.shard, options.shards);
+    if (std::ranges::any_of(cases, [](const Case* c) { return find_chain(*c) != nullptr; }))
+        all += kernels_text(options.kernels);
     for (const Case* c : cases) {
         all += c->name + '\n';
+        if (find_chain(*c)) continue;
         try {
             all += glsl::expand(sources, standalone_source(*c), standalone_name);
         } catch (const Error& error) {

@@ -2,6 +2,8 @@
 
 #include "casegen/catalogue.h"
 #include "casegen/csv.h"
+#include "casegen/fuzz/chain.h"
+#include "casegen/fuzz/scene_input.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
 #include "runtime/one_line.h"
@@ -28,6 +30,12 @@ std::vector<std::string> cells_of(const Case& c, const Input& input) {
     return cells;
 }
 
+/// Whether its inputs are whole scenes: they have no columns.
+bool takes_scene(const Case& c) {
+    const Chain* chain = find_chain(c);
+    return chain && chain->draw;
+}
+
 std::string text_of(const Json& object, const char* field, const std::string& name) {
     if (!object.contains(field)) throw Error("{}: has no \"{}\"", name, field);
     const Json& value = object.at(field);
@@ -36,9 +44,12 @@ std::string text_of(const Json& object, const char* field, const std::string& na
 }
 
 Input input_of(const Case& c, const Json& object, const std::string& name) {
+    const bool is_scene = takes_scene(c);
     if (!object.contains("input") || !object.at("input").is_object())
-        throw Error("{}: has no \"input\" with {} in it", name, fmt::join(columns(c), ", "));
+        throw Error("{}: has no \"input\" with {} in it", name,
+                    is_scene ? "a scene" : fmt::format("{}", fmt::join(columns(c), ", ")));
     const Json& cells = object.at("input");
+    if (is_scene) return words_of(scene_of(cells, name + ", input"));
     Csv csv{name, columns(c), {{}}};
     for (const std::string& column : csv.header)
         csv.rows.front().push_back(one_line(text_of(cells, column.c_str(), name + ", input")));
@@ -47,6 +58,11 @@ Input input_of(const Case& c, const Json& object, const std::string& name) {
             throw Error("{}: \"{}\" is no input of {}; they are {}", name, one_line(key), c.name,
                         fmt::join(csv.header, ", "));
     return read_inputs(c, csv).front();
+}
+
+const Case& subject(const std::string& name) {
+    if (const Case* found = find_subject(name)) return *found;
+    throw Error("there is neither a kernel nor a chain \"{}\"", name);
 }
 
 /// Letters and digits; anything else a dash.
@@ -61,10 +77,14 @@ std::string slug(std::string text) {
 } // namespace
 
 std::string format_regression(const Regression& regression) {
-    const Case& c = find_case(regression.kernel);
-    const std::vector<std::string> names = columns(c), cells = cells_of(c, regression.input);
+    const Case& c = subject(regression.kernel);
     Json input = Json::object();
-    for (std::size_t i = 0; i < names.size(); ++i) input[names[i]] = cells[i];
+    if (takes_scene(c)) {
+        input = json_of(scene_of(regression.input));
+    } else {
+        const std::vector<std::string> names = columns(c), cells = cells_of(c, regression.input);
+        for (std::size_t i = 0; i < names.size(); ++i) input[names[i]] = cells[i];
+    }
     const Json object{
         {"kernel", regression.kernel}, {"failure", regression.failure}, {"input", input},
         {"got", regression.got},       {"want", regression.want},       {"allowed", regression.allowed},
@@ -82,17 +102,12 @@ Regression parse_regression(std::string_view text, const std::string& name) {
                         fmt::join(fields, ", "));
     Regression regression;
     regression.kernel = text_of(object, "kernel", name);
-    const std::vector<const Case*> found = [&]() -> std::vector<const Case*> {
-        for (const Family& family : catalogue())
-            for (const Case& c : family.cases)
-                if (c.name == regression.kernel) return {&c};
-        return {};
-    }();
-    if (found.empty())
+    const Case* found = find_subject(regression.kernel);
+    if (!found)
         throw Error("{}: there is no kernel \"{}\"; rename it in the file, or delete the file", name,
                     one_line(regression.kernel));
     regression.failure = text_of(object, "failure", name);
-    regression.input = input_of(*found.front(), object, name);
+    regression.input = input_of(*found, object, name);
     regression.got = text_of(object, "got", name);
     regression.want = text_of(object, "want", name);
     regression.allowed = text_of(object, "allowed", name);
@@ -103,9 +118,12 @@ Regression parse_regression(std::string_view text, const std::string& name) {
 std::string file_name(const Regression& regression) {
     std::string kernel = regression.kernel;
     std::ranges::replace(kernel, '/', '.');
+    const Case& c = subject(regression.kernel);
     std::string all;
-    for (const std::string& cell : cells_of(find_case(regression.kernel), regression.input))
-        all += cell + ',';
+    if (takes_scene(c))
+        for (const std::uint32_t word : regression.input.words) all += fmt::format("{:x},", word);
+    else
+        for (const std::string& cell : cells_of(c, regression.input)) all += cell + ',';
     return fmt::format("{}.{}.{:08x}.json", kernel, slug(regression.failure), hash(all) & 0xffffffffu);
 }
 

@@ -1,5 +1,5 @@
-// A regression: one input that a kernel once got wrong, shrunk, in a file of its own that says all that is
-// needed to run it again. Every check begins with the kernel's regressions.
+// A regression: one input that a kernel, or a chain of them, once got wrong, shrunk, in a file of its own
+// that says all that is needed to run it again. Every check begins with the kernel's regressions.
 #pragma once
 
 #include "casegen/fuzz/failure.h"
@@ -13,7 +13,7 @@
 namespace gnomon::fuzz {
 
 struct Regression {
-    std::string kernel;  ///< "smsr/case_09"
+    std::string kernel;  ///< "smsr/case_09"; a chain's name: "scene/sheet"
     std::string failure; ///< as failure_of says it, or of a dispatch
     Input input;
     std::string got, want, allowed; ///< as they were when it was found: for people
@@ -21,7 +21,7 @@ struct Regression {
 };
 
 /// The file's text: JSON, a line per field, the input by the names that a CSV's columns have and in
-/// hexadecimal floats. Ends in '\n'.
+/// hexadecimal floats; a scene with all its triangles. Ends in '\n'.
 std::string format_regression(const Regression& regression);
 
 /// `name` stands for the text in messages. Throws Error naming it and the field: no JSON, a field missing, of

@@ -36,15 +36,6 @@ double word_complexity(Scalar scalar, std::uint32_t word) {
                                      : whole_complexity(widen(scalar, word));
 }
 
-/// The float with all but the first `digits` bits of its mantissa dropped, or rounded to them.
-std::uint32_t with_digits(std::uint32_t word, int digits, bool rounded) {
-    if (!std::isfinite(std::bit_cast<float>(word))) return word;
-    const std::uint32_t dropped = (1u << (23 - digits)) - 1u;
-    const std::uint32_t up = rounded ? (dropped + 1u) >> 1 : 0u; // a carry into the exponent is right
-    const std::uint32_t result = (word + up) & ~dropped;
-    return std::isfinite(std::bit_cast<float>(result)) ? result : word;
-}
-
 /// Simpler values for one word, in the order of trial; some are not.
 std::vector<std::uint32_t> simpler_words(Scalar scalar, const Domain& domain, std::size_t component,
                                          std::uint32_t word) {
@@ -275,6 +266,14 @@ std::optional<Input> on_a_small_mask(const Case& c, const Input& input, const St
 }
 
 } // namespace
+
+std::uint32_t with_digits(std::uint32_t word, int digits, bool rounded) {
+    if (!std::isfinite(std::bit_cast<float>(word))) return word;
+    const std::uint32_t dropped = (1u << (23 - digits)) - 1u;
+    const std::uint32_t up = rounded ? (dropped + 1u) >> 1 : 0u; // a carry into the exponent is right
+    const std::uint32_t result = (word + up) & ~dropped;
+    return std::isfinite(std::bit_cast<float>(result)) ? result : word;
+}
 
 double complexity(const Case& c, const Input& input) {
     double sum = 0;

@@ -16,6 +16,9 @@ namespace gnomon::fuzz {
 /// simplest floats, then few bits of mantissa and small exponents; what is not finite is the least simple.
 double complexity(const Case& c, const Input& input);
 
+/// A float's word with all but the first `digits` bits of its mantissa dropped, or rounded to them.
+std::uint32_t with_digits(std::uint32_t word, int digits, bool rounded);
+
 /// Per candidate whether it fails as the first one did.
 using StillFails = std::function<std::vector<bool>(std::span<const Input> candidates)>;
 

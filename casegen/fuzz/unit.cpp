@@ -1,10 +1,12 @@
 #include "casegen/fuzz/unit.h"
 
 #include "casegen/check.h"
+#include "casegen/fuzz/chain.h"
 #include "casegen/fuzz/subject.h"
 #include "casegen/measure/inputs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -16,10 +18,20 @@ constexpr std::size_t batch_size = std::size_t{1} << 16, batches_per_unit = 4;
 constexpr std::size_t truth_batch_size = 512; ///< of references in multiprecision
 constexpr std::uint64_t units_per_epoch = 4;  ///< which share their masks
 
-std::size_t batch_size_of(const Case& c) { return c.reference.truth ? truth_batch_size : batch_size; }
+std::size_t batch_size_of(const Case& c) {
+    if (const Chain* chain = find_chain(c)) return chain->batch;
+    return c.reference.truth ? truth_batch_size : batch_size;
+}
 
 std::uint64_t unit_seed(std::uint64_t seed, const Unit& unit) {
     return Random(seed ^ hash(unit.kernel->name), unit.round).bits();
+}
+
+std::vector<Input> regressions_of(const FuzzerOptions& options, const Case& c) {
+    std::vector<Input> inputs;
+    if (const auto found = options.regressions.find(c.name); found != options.regressions.end())
+        for (const Regression& regression : found->second) inputs.push_back(regression.input);
+    return inputs;
 }
 
 Input input_of(const Records& records, std::size_t i) {
@@ -29,13 +41,17 @@ Input input_of(const Records& records, std::size_t i) {
 
 } // namespace
 
-std::size_t unit_size(const Case& c) { return batch_size_of(c) * batches_per_unit; }
+std::size_t unit_size(const Case& c) {
+    const Chain* chain = find_chain(c);
+    return chain ? chain->batch * chain->batches : batch_size_of(c) * batches_per_unit;
+}
 
 struct Fuzzer::Impl {
     FuzzerOptions options;
     glsl::Sources sources;
     gpu::Device device;
     std::map<const Case*, Subject> subjects;
+    std::map<const Chain*, Judge> judges;
     std::map<std::uint64_t, std::shared_ptr<const EdgePool>> pools;
 
     explicit Impl(FuzzerOptions given)
@@ -47,6 +63,12 @@ struct Fuzzer::Impl {
                                        : subjects.try_emplace(&c, c, sources, device).first->second;
     }
 
+    const Judge& judge(const Chain& chain) {
+        const auto found = judges.find(&chain);
+        return found != judges.end() ? found->second
+                                     : judges.try_emplace(&chain, chain.judge(sources, device)).first->second;
+    }
+
     std::shared_ptr<const EdgePool> pool(std::uint64_t epoch) {
         std::shared_ptr<const EdgePool>& pool = pools[epoch];
         if (!pool) pool = make_fuzz_pool(options.seed, epoch);
@@ -54,6 +76,9 @@ struct Fuzzer::Impl {
             pools.erase(pools.begin()->first == epoch ? std::next(pools.begin()) : pools.begin());
         return pool;
     }
+
+    UnitResult run_chain(const Chain& chain, const Unit& unit, const std::set<std::string>& known,
+                         std::atomic<std::uint32_t>& batch);
 };
 
 namespace {
@@ -67,9 +92,7 @@ public:
         const auto file = [&](const std::filesystem::path& folder) {
             return folder.empty() ? folder : folder / (case_.name + ".csv");
         };
-        std::vector<Input> rows;
-        if (const auto found = options.regressions.find(case_.name); found != options.regressions.end())
-            for (const Regression& regression : found->second) rows.push_back(regression.input);
+        const std::vector<Input> rows = regressions_of(options, case_);
         regressions_ = rows.size();
         sampler_.emplace(case_, seed_, std::move(pool), file(options.pins), file(options.worst), rows);
         draw_.emplace(case_, *sampler_, seed_);
@@ -88,12 +111,17 @@ public:
         std::size_t i = begin;
         for (; i < std::min(end, fixed_); ++i)
             records.add_with([&](std::span<std::uint32_t> words) { return sampler_->draw(i, words); });
+        std::vector<std::uint32_t> block(draw_->block_size() * word_count(case_));
         while (i < end) {
             const std::size_t in_block = (i - fixed_) % draw_->block_size();
             const std::size_t count = std::min(end - i, draw_->block_size() - in_block);
-            records.add_block(count, [&](const auto& row) {
-                return draw_->draw_block(i - fixed_, i - fixed_ + count, worst_.rows(), row);
-            });
+            const std::size_t width = word_count(case_);
+            const Mask* mask =
+                draw_->draw_block(i - fixed_, i - fixed_ + count, worst_.rows(), [&](std::uint64_t n) {
+                    return std::span(block).subspan(n * width, width);
+                });
+            for (std::size_t n = 0; n < count; ++n)
+                records.add(std::span(block).subspan(n * width, width), mask);
             i += count;
         }
         return records;
@@ -117,6 +145,45 @@ private:
     std::optional<Draw> draw_;
     std::size_t regressions_ = 0, fixed_ = 0;
     worst::Worst worst_;
+};
+
+/// The same of a chain: nothing is known of how wrong an input nearly is.
+class ChainBatches {
+public:
+    ChainBatches(const Chain& chain, const FuzzerOptions& options, const Unit& unit,
+                 std::shared_ptr<const EdgePool> pool)
+        : chain_(chain), unit_(unit), seed_(unit_seed(options.seed, unit)) {
+        if (!chain.draw)
+            drawn_.emplace(options, unit, std::move(pool));
+        else
+            regressions_ = regressions_of(options, chain.described);
+    }
+
+    std::size_t total() const { return drawn_ ? drawn_->total() : regressions_.size() + unit_.evaluations; }
+    bool is_regression(std::size_t index) const {
+        return drawn_ ? drawn_->is_regression(index) : index < regressions_.size();
+    }
+    std::vector<Input> batch(std::size_t number) const {
+        std::vector<Input> inputs;
+        if (drawn_) {
+            const Records records = drawn_->batch(number);
+            for (std::size_t i = 0; i < records.size(); ++i) inputs.push_back(input_of(records, i));
+            return inputs;
+        }
+        const std::size_t begin = number * chain_.batch, end = std::min(total(), begin + chain_.batch);
+        for (std::size_t i = begin; i < end; ++i)
+            inputs.push_back(i < regressions_.size()
+                                 ? regressions_[i]
+                                 : chain_.draw(seed_, i - regressions_.size(), 1).front());
+        return inputs;
+    }
+
+private:
+    const Chain& chain_;
+    Unit unit_;
+    std::uint64_t seed_;
+    std::optional<Batches> drawn_; ///< of chains over masks
+    std::vector<Input> regressions_;
 };
 
 /// Judges one batch: feeds the worst ones to those that follow, and returns the failures that nobody knew,
@@ -144,6 +211,44 @@ std::map<std::string, std::size_t> judge_batch(Subject& subject, const Records& 
 
 } // namespace
 
+UnitResult Fuzzer::Impl::run_chain(const Chain& chain, const Unit& unit, const std::set<std::string>& known,
+                                   std::atomic<std::uint32_t>& batch) {
+    const Judge& judge = this->judge(chain);
+    const ChainBatches batches(chain, options, unit, pool(unit.round / units_per_epoch));
+    UnitResult result;
+    std::set<std::string> told = known;
+    for (std::size_t number = 0; result.evaluations < batches.total(); ++number) {
+        batch = static_cast<std::uint32_t>(number);
+        const std::vector<Input> inputs = batches.batch(number);
+        const std::vector<std::string> failures = judge(inputs);
+        for (std::size_t i = 0; i < inputs.size(); ++i) {
+            if (failures[i].empty() || !told.insert(failures[i]).second) continue;
+            const bool on_file = batches.is_regression(result.evaluations + i);
+            Input input = inputs[i];
+            const std::string found = fmt::format("fuzzing, seed {:#x}, round {}, as {}", options.seed,
+                                                  unit.round, chain.format(input));
+            if (!on_file && unit.shrink)
+                input = chain.shrink(input, [&](std::span<const Input> candidates) {
+                    std::vector<bool> fails;
+                    for (const std::string& failure : judge(candidates))
+                        fails.push_back(failure == failures[i]);
+                    return fails;
+                });
+            Found& told_of = result.found.emplace_back();
+            told_of.regression.kernel = chain.described.name;
+            told_of.regression.failure = failures[i];
+            told_of.regression.input = std::move(input);
+            told_of.regression.got = failures[i];
+            told_of.regression.want = fmt::format("{}", fmt::join(chain.invariants, "; "));
+            told_of.regression.allowed = "nothing else";
+            told_of.regression.found = found;
+            told_of.on_file = on_file;
+        }
+        result.evaluations += inputs.size();
+    }
+    return result;
+}
+
 Fuzzer::Fuzzer(FuzzerOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}
 Fuzzer::~Fuzzer() = default;
 
@@ -151,6 +256,7 @@ UnitResult Fuzzer::run(const Unit& unit, const std::set<std::string>& known,
                        std::atomic<std::uint32_t>& batch) {
     const Case& c = *unit.kernel;
     batch = 0;
+    if (const Chain* chain = find_chain(c)) return impl_->run_chain(*chain, unit, known, batch);
     Subject& subject = impl_->subject(c);
     Batches batches(impl_->options, unit, impl_->pool(unit.round / units_per_epoch));
     UnitResult result;
@@ -190,6 +296,9 @@ UnitResult Fuzzer::run(const Unit& unit, const std::set<std::string>& known,
 }
 
 std::vector<Input> Fuzzer::inputs(const Unit& unit, std::size_t batch) {
+    if (const Chain* chain = find_chain(*unit.kernel))
+        return ChainBatches(*chain, impl_->options, unit, impl_->pool(unit.round / units_per_epoch))
+            .batch(batch);
     Subject& subject = impl_->subject(*unit.kernel);
     Batches batches(impl_->options, unit, impl_->pool(unit.round / units_per_epoch));
     for (std::size_t number = 0; number < batch; ++number) {
@@ -205,6 +314,11 @@ std::vector<Input> Fuzzer::inputs(const Unit& unit, std::size_t batch) {
 
 void Fuzzer::dispatch(const Unit& unit, const Part& part) {
     const std::vector<Input> all = inputs(unit, part.batch);
+    if (const Chain* chain = find_chain(*unit.kernel)) {
+        const std::size_t begin = std::min(part.begin, all.size()), end = std::min(part.end, all.size());
+        if (begin < end) impl_->judge (*chain)(std::span(all).subspan(begin, end - begin));
+        return;
+    }
     Records records(*unit.kernel);
     for (std::size_t i = part.begin; i < std::min(part.end, all.size()); ++i)
         records.add(all[i].words, &all[i].mask);

@@ -59,6 +59,44 @@ TEST_F(fuzz_verb, passes_what_is_right_and_leaves_nothing_behind) {
     EXPECT_TRUE(files().empty());
 }
 
+TEST_F(fuzz_verb, counts_as_people_write_it) {
+    const Ran ran = fuzz({"smsr/case_09", "--samples", "2e5", "--format", "json"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_GE(nlohmann::json::parse(ran.out).at("evaluations").get<int>(), 200000);
+}
+
+TEST_F(fuzz_verb, shrinks_a_chain_s_mask_that_check_replays_for_ever) {
+    const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "0.9 - p.y < along_x");
+    const Ran ran = fuzz({"chain/smsr", "--samples", "4000", "--jobs", "1"}, changed.folder());
+    EXPECT_EQ(ran.exit_code, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("FAIL chain/smsr: another value transposed in case"));
+    EXPECT_THAT(ran.out, HasSubstr("gnomon check chain/smsr"));
+    ASSERT_GE(files().size(), 1u);
+    for (std::size_t i = 0; i < files().size(); ++i) {
+        const std::string mask = file(i).at("input").at("mask");
+        EXPECT_LE(mask.size(), 11u) << mask << ": three rows of three";
+    }
+    const Ran red = check("chain/smsr", changed.folder());
+    EXPECT_EQ(red.exit_code, 1);
+    EXPECT_THAT(red.out, HasSubstr("another value transposed"));
+    EXPECT_EQ(check("chain/smsr", testing::kernels_folder()).exit_code, 0);
+}
+
+TEST_F(fuzz_verb, shrinks_a_scene_to_a_few_triangles_that_check_replays_for_ever) {
+    const ChangedKernels changed("hybrid/detect_sheet.comp", "SHADOWED : UNCERTAIN", "SHADOWED : LIT");
+    const Ran ran = fuzz({"scene/sheet", "--samples", "2", "--jobs", "1"}, changed.folder());
+    EXPECT_EQ(ran.exit_code, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("FAIL scene/sheet: certain of light, which a triangle blocks"));
+    ASSERT_EQ(files().size(), 1u);
+    const nlohmann::json input = file().at("input");
+    EXPECT_LE(input.at("triangles").size(), 3u);
+    EXPECT_LE(input.at("settings").at("width"), 48);
+    const Ran red = check("scene/sheet", changed.folder());
+    EXPECT_EQ(red.exit_code, 1);
+    EXPECT_THAT(red.out, HasSubstr("certain of light"));
+    EXPECT_EQ(check("scene/sheet", testing::kernels_folder()).exit_code, 0);
+}
+
 TEST_F(fuzz_verb, shrinks_a_flipped_comparison_to_one_call_that_check_replays_for_ever) {
     const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y > along_x");
     const Ran ran = fuzz({"smsr/case_09", "--samples", "200000"}, changed.folder());
@@ -211,6 +249,10 @@ TEST_F(fuzz_verb, refuses_what_it_cannot_do_with_one_line) {
     refused({"smsr", "--shard", "1/2x"}, "--shard 1/2x");
     refused({"smsr", "--seed", "x"}, "x");
     refused({"smsr", "--samples", "0"}, "--samples");
+    refused({"smsr", "--samples", "1e"}, "--samples");
+    refused({"smsr", "--samples", "0.5"}, "--samples");
+    refused({"smsr", "--samples", "1e30"}, "--samples");
+    refused({"smsr", "--samples", ""}, "--samples");
     refused({"smsr", "--seconds", "1", "--samples", "5"}, "--s");
     refused({"smsr", "--kernels", "/nowhere"}, "/nowhere");
     fs::create_directories(found_);

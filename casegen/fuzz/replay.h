@@ -1,0 +1,19 @@
+// What chains once got wrong, again: the part of a check that no kernel's own samples are.
+#pragma once
+
+#include "casegen/check.h"
+
+#include <span>
+#include <vector>
+
+namespace gnomon::fuzz {
+
+/// Those of the chains (see find_chains) that have regressions on file.
+std::vector<const Case*> with_regressions(std::span<const Case* const> chains,
+                                          const std::filesystem::path& regressions);
+
+/// A report for each chain over all of its regressions, one after the other on a device of their own; none
+/// is made without chains. Throws Error as check does.
+std::vector<CheckReport> replay(std::span<const Case* const> chains, const CheckOptions& options);
+
+} // namespace gnomon::fuzz
