@@ -28,9 +28,9 @@ TEST(coverage_verb, lists_what_was_not_reached_in_the_author_s_words) {
                                        "--missing",      "--lcov",       lcov};
     const Ran ran = run_gnomon(arguments);
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr("smsr/case_09.glsl:3: `p.x * p.x < -1.0` was never true\n"));
+    EXPECT_THAT(ran.out, HasSubstr("smsr/case_09.glsl:4: `p.x * p.x < -1.0` was never true\n"));
     EXPECT_THAT(ran.out, Not(HasSubstr("along_x")));
-    EXPECT_THAT(read_file(lcov), HasSubstr("BRDA:3,0,0,0\n"));
+    EXPECT_THAT(read_file(lcov), HasSubstr("BRDA:4,0,0,0\n"));
     using testing::operator+;
     EXPECT_EQ(run_gnomon(arguments + testing::Arguments{"--fail-under", "75"}).exit_code, 0);
     EXPECT_EQ(run_gnomon(arguments + testing::Arguments{"--fail-under", "75.1"}).exit_code, 1);
@@ -52,7 +52,7 @@ TEST(coverage_verb, a_kernel_that_cannot_be_measured_is_an_exit_code) {
         run_gnomon({"coverage", "smsr/case_*", "--samples", "100", "--kernels", kernels.folder()});
     EXPECT_EQ(ran.exit_code, 1);
     EXPECT_THAT(ran.out, HasSubstr("FAIL smsr/case_09: "));
-    EXPECT_THAT(ran.out, HasSubstr("smsr/case_08.glsl"));
+    EXPECT_THAT(ran.out, HasSubstr("smsr/case_07.glsl"));
 }
 
 TEST(coverage_verb, refuses_what_it_cannot_do) {
