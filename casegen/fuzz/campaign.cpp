@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <ranges>
 #include <set>
 #include <thread>
 #include <utility>
@@ -108,14 +107,15 @@ public:
         const std::uint64_t before = report_.evaluations;
         for (;;) {
             report_.seconds = seconds_now() - start;
-            for (std::size_t i = 0; i < jobs; ++i)
+            bool any_busy = false;
+            for (std::size_t i = 0; i < jobs; ++i) {
                 if (const auto unit = workers.busy(i) ? std::nullopt : next_unit()) {
                     units[i] = *unit;
                     workers.send(i, request_of(*unit));
                 }
-            if (std::ranges::none_of(std::views::iota(std::size_t{0}, workers.size()),
-                                     [&](std::size_t i) { return workers.busy(i); }))
-                break;
+                any_busy = any_busy || workers.busy(i);
+            }
+            if (!any_busy) break;
             const std::size_t ready = workers.wait(0.2);
             report_.evaluations_now = report_.evaluations - before;
             if (progress) progress(progress_now());
