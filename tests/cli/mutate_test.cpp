@@ -12,7 +12,6 @@ namespace {
 
 using testing::ChangedKernels;
 using ::testing::HasSubstr;
-using ::testing::Not;
 using testing::Ran;
 using testing::run_gnomon;
 using testing::TemporaryFolder;
@@ -68,6 +67,13 @@ TEST(mutate_verb, shows_one_mutant_and_lists_it_where_it_survives) {
         run_gnomon(testing::Arguments{"mutate", "smsr/case_09", "--mutant", id, "--show"} + kernels);
     EXPECT_EQ(text.exit_code, 0);
     EXPECT_THAT(text.out, HasSubstr("along_x < 2.0) return 1.0;\n    return 1.0 - p.y"));
+}
+
+TEST(check_of_a_border, tells_less_from_less_or_equal) {
+    const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y <= along_x");
+    const Ran ran = run_gnomon({"check", "smsr/case_09", "--kernels", changed.folder().string()});
+    EXPECT_EQ(ran.exit_code, 1) << ran.out;
+    EXPECT_THAT(ran.out, HasSubstr("FAIL smsr/case_09 (wrong)"));
 }
 
 TEST(mutate_verb, refuses_what_it_does_not_know) {
