@@ -12,14 +12,6 @@
 namespace gnomon::watch {
 namespace {
 
-Records draw_all(const Case& c, const Sampler& sampler, std::size_t samples) {
-    Records records(c);
-    records.reserve(samples);
-    for (std::size_t i = 0; i < samples; ++i)
-        records.add_with([&](std::span<std::uint32_t> words) { return sampler.draw(i, words); });
-    return records;
-}
-
 /// How far apart two result words are: infinitely if only one of them is a number.
 double difference(Scalar scalar, std::uint32_t a, std::uint32_t b) {
     const double x = widen(scalar, a), y = widen(scalar, b);
@@ -56,8 +48,8 @@ Subject::Subject(const Case& c, const CheckOptions& options, std::shared_ptr<con
       sampler_(c, options.seed.value_or(default_seed(c)), std::move(pool),
                options.pins.empty() ? options.pins : options.pins / (c.name + ".csv"),
                options.worst.empty() ? options.worst : options.worst / (c.name + ".csv"), regressions),
-      records_(draw_all(c, sampler_,
-                        std::max(options.samples.value_or(default_samples(c)), sampler_.fixed_count()))),
+      records_(draw_records(c, sampler_, 0,
+                            std::max(options.samples.value_or(default_samples(c)), sampler_.fixed_count()))),
       truths_(truths(c, records_)) {}
 
 Subject::Ran Subject::run(gpu::Device& device, glsl::Spirv words, const std::string& text,
