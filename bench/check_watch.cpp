@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -41,9 +42,9 @@ double milliseconds_since(Clock::time_point start) {
 /// `gnomon watch … --format json`, and the events that it tells.
 class Watch {
 public:
-    Watch(const fs::path& kernels, const std::vector<std::string>& patterns) {
-        std::vector<std::string> words{GNOMON_PROGRAM, "watch", "--format", "json", "--kernels", kernels};
-        words.insert(words.end(), patterns.begin(), patterns.end());
+    Watch(const fs::path& kernels, const std::string& kernel) {
+        std::vector<std::string> words{GNOMON_PROGRAM, "watch",     kernel, "--format",
+                                       "json",         "--kernels", kernels};
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
@@ -158,22 +159,25 @@ std::string summary(std::vector<double> values) {
                        values.back());
 }
 
+/// A watch for each target, with a folder of its own: an edit concerns nobody else.
 void measure(int edits, const fs::path& folder) {
-    const fs::path kernels = folder / "kernels";
-    fs::create_directories(folder);
-    fs::copy(GNOMON_SOURCE_DIR "/kernels", kernels, fs::copy_options::recursive);
     setenv("GNOMON_CACHE", (folder / "cache").c_str(), 1);
     std::vector<Target> all = targets();
-    std::vector<std::string> patterns;
-    for (const Target& target : all) patterns.push_back(target.kernel);
-    Watch watch(kernels, patterns);
-    watch.next("settled");
+    std::vector<fs::path> folders;
+    std::vector<std::unique_ptr<Watch>> watches;
+    for (const Target& target : all) {
+        folders.push_back(folder / std::to_string(folders.size()) / "kernels");
+        fs::create_directories(folders.back().parent_path());
+        fs::copy(GNOMON_SOURCE_DIR "/kernels", folders.back(), fs::copy_options::recursive);
+        watches.push_back(std::make_unique<Watch>(folders.back(), target.kernel));
+        watches.back()->next("settled");
+    }
     for (int edit = 1; edit <= edits; ++edit)
-        for (Target& target : all) {
-            const fs::path file = kernels / (target.kernel + ".glsl");
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const fs::path file = folders[i] / (all[i].kernel + ".glsl");
             const std::string original =
-                gnomon::read_file(GNOMON_SOURCE_DIR "/kernels/" + target.kernel + ".glsl");
-            measure_edit(watch, target, file, original, edit);
+                gnomon::read_file(GNOMON_SOURCE_DIR "/kernels/" + all[i].kernel + ".glsl");
+            measure_edit(*watches[i], all[i], file, original, edit);
         }
     fmt::print("{} threads of {}; {} edits each; from the save to the line\n",
                std::thread::hardware_concurrency(), processor(), edits);
