@@ -1,6 +1,6 @@
 #include "cli/report.h"
 
-#include "casegen/atlas/html.h"
+#include "cli/junit.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -79,26 +79,19 @@ std::string check_json(std::span<const CheckReport> reports, const std::string& 
 }
 
 std::string check_junit(std::span<const CheckReport> reports, const std::string& options) {
-    std::string cases;
-    std::size_t failed = 0;
+    std::vector<JunitCase> cases;
     for (const CheckReport& report : reports) {
-        const std::string& name = report.kernel->name;
-        const std::string family = name.substr(0, name.find('/'));
-        const double seconds = report.nanoseconds * static_cast<double>(report.samples) * 1e-9;
-        cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.6f}\"",
-                             atlas::escape_html(family), atlas::escape_html(name), seconds);
-        if (is_good(report.verdict)) {
-            cases += "/>\n";
-            continue;
+        JunitCase one;
+        one.name = report.kernel->name;
+        one.group = one.name.substr(0, one.name.find('/'));
+        one.seconds = report.nanoseconds * static_cast<double>(report.samples) * 1e-9;
+        if (!is_good(report.verdict)) {
+            one.failure = to_string(report.verdict);
+            one.text = finding_text(report, options);
         }
-        ++failed;
-        cases += fmt::format(">\n    <failure type=\"{0}\" message=\"{0}\">{1}</failure>\n  </testcase>\n",
-                             atlas::escape_html(to_string(report.verdict)),
-                             atlas::escape_html(finding_text(report, options)));
+        cases.push_back(std::move(one));
     }
-    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                       "<testsuite name=\"gnomon check\" tests=\"{}\" failures=\"{}\">\n{}</testsuite>",
-                       reports.size(), failed, cases);
+    return junit_xml("gnomon check", cases);
 }
 
 } // namespace gnomon::cli
