@@ -10,6 +10,7 @@
 #include "cli/progress.h"
 #include "cli/rendering.h"
 #include "cli/report.h"
+#include "cli/view.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
 
@@ -61,22 +62,13 @@ std::filesystem::path measure_radiance(const std::filesystem::path& folder, cons
     options.kernels = common.kernels;
     options.device = common.device;
     Progress progress("measuring");
-    measure::write_report(folder,
-                          measure::bench(measure::group(measure::find_variants("integral/radiance"),
-                                                        std::array{Trigonometry::portable}, common.kernels),
-                                         options, [&](std::size_t done) { progress.show(done, 1); }));
+    measure::Report report;
+    report.bench = measure::bench(measure::group(measure::find_variants("integral/radiance"),
+                                                 std::array{Trigonometry::portable}, common.kernels),
+                                  options, [&](std::size_t done) { progress.show(done, 1); });
+    measure::write_report(folder, report);
     return folder / "report.html";
 }
-
-/// Against the light, so that the shadows of fence and lattice fall towards the viewer.
-Camera demo_camera(const Scene& scene) {
-    Camera camera = default_camera(scene.bounds(), 1);
-    camera.position = {2.4f, 2.2f, 7.4f};
-    camera.direction = {-0.30f, -0.36f, -0.9f};
-    camera.fov = 40;
-    return camera;
-}
-constexpr glm::vec3 demo_light{0.45f, -0.62f, 0.5f};
 
 /// The same part of every picture, three in a row on white: where shadow edges of all slopes can be compared.
 Image side_by_side(const std::vector<Judged>& all) {
@@ -102,9 +94,7 @@ int run(const std::filesystem::path& folder, const Common& common, const std::st
     measure::require_report_folder(folder / "radiance");
 
     const Scene scene = demo_scene();
-    const Camera camera = demo_camera(scene);
-    const Light light{.direction = demo_light};
-    const ViewSettings settings;
+    const auto [camera, light, settings] = demo_view(scene, ViewSettings());
     gpu::Device device(common.device);
     Renderer renderer(device, kernel_sources(common.kernels), scene, camera, light, settings);
 

@@ -121,6 +121,16 @@ View view_of(const ViewOptions& options, int shadow_map, const Scene& scene, Lig
     return {camera, light, settings};
 }
 
+View demo_view(const Scene& scene, const ViewSettings& settings) {
+    Camera camera = default_camera(scene.bounds(), 1);
+    camera.position = {2.4f, 2.2f, 7.4f};
+    camera.direction = {-0.30f, -0.36f, -0.9f};
+    camera.fov = 40;
+    Light light;
+    light.direction = {0.45f, -0.62f, 0.5f};
+    return {camera, light, settings};
+}
+
 Scene scene_of(const std::string& path) {
     Scene scene = path.empty() ? demo_scene() : load_scene(path);
     for (const std::string& warning : scene.warnings)

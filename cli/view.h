@@ -33,6 +33,9 @@ struct View {
 View view_of(const ViewOptions& options, int shadow_map, const Scene& scene,
              LightFit fit = LightFit::seen_box);
 
+/// The demo scene against the light, so that the shadows of fence and lattice fall towards the viewer.
+View demo_view(const Scene& scene, const ViewSettings& settings);
+
 /// "box", "camera", "visible": what --light-fit takes.
 const char* to_string(LightFit fit);
 

@@ -1,7 +1,9 @@
 #include "casegen/measure/bench.h"
 
 #include "casegen/check.h"
+#include "casegen/compare.h"
 #include "runtime/error.h"
+#include "runtime/glsl/optimizer.h"
 
 namespace gnomon::measure {
 namespace {
@@ -14,6 +16,20 @@ std::vector<std::uint32_t> results_of(gpu::Device& device, const Variant& varian
     if (const std::string complaint = outputs.complaint(); !complaint.empty() && c.fails.empty())
         throw Error("{}: {}; gnomon check {} tells more", c.name, complaint, c.name);
     return std::move(outputs.words);
+}
+
+std::size_t count_beyond_tolerance(const Case& c, const Inputs& inputs,
+                                   std::span<const std::uint32_t> results) {
+    if (!c.fails.empty()) return 0; // it must be wrong
+    const auto components = static_cast<std::size_t>(c.reference.result.components);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < inputs.records.size(); ++i) {
+        const Arguments with = arguments(c, inputs.records.input(i), inputs.records.mask(i));
+        if (!in_domain(c, with)) continue;
+        const Truth* known = inputs.truths.empty() ? nullptr : &inputs.truths[i];
+        if (!judge(c, with, results.subspan(i * components, components), known).pass) ++count;
+    }
+    return count;
 }
 
 GroupResult measure_group(gpu::Device& device, const Group& group, const BenchOptions& options) {
@@ -33,6 +49,9 @@ GroupResult measure_group(gpu::Device& device, const Group& group, const BenchOp
     for (const Variant& variant : group.variants) {
         const std::vector<std::uint32_t> words = results_of(device, variant, inputs, options.kernels);
         result.accuracy.push_back(summarise(c, inputs, deviations(c, inputs, words)));
+        result.beyond_tolerance.push_back(count_beyond_tolerance(*variant.kernel, inputs, words));
+        result.instructions.push_back(glsl::optimized_instructions(
+            compile_standalone(*variant.kernel, kernel_sources(options.kernels, {}, variant.trigonometry))));
     }
     if (options.rounds == 0) return result;
     result.timings = time_variants(device, group, inputs, {options.kernels, options.rounds, result.seed});
@@ -77,7 +96,11 @@ Bench bench(std::span<const Group> groups, const BenchOptions& options,
             const std::function<void(std::size_t)>& done) {
     require_kernels(options.kernels);
     gpu::Device device(options.device);
-    Bench all{machine(device), options, {}};
+    Bench all{machine(device),
+              device.info().driver,
+              glsl::version() + ", " + glsl::optimizer_version(),
+              options,
+              {}};
     for (const Group& group : groups) {
         all.groups.push_back(measure_group(device, group, options));
         if (done) done(all.groups.size());

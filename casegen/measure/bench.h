@@ -41,13 +41,19 @@ struct GroupResult {
     std::vector<std::size_t> class_counts; ///< inputs of each class
     std::size_t inputs = 0, left_out = 0;
     std::vector<Accuracy> accuracy; ///< per variant
-    std::vector<Timings> timings;   ///< none if no time was taken; the last is on inputs of all classes
+    /// Per variant: inputs of its kernel's own domain on which its result is not what its check allows.
+    std::vector<std::size_t> beyond_tolerance;
+    /// Per variant: of the optimised shader that calls the kernel once. The cost without noise.
+    std::vector<std::size_t> instructions;
+    std::vector<Timings> timings; ///< none if no time was taken; the last is on inputs of all classes
     /// Per rank and variant, over all inputs, by the last of the timings; empty without.
     std::array<std::vector<std::optional<std::size_t>>, ranks.size()> dominated;
 };
 
 struct Bench {
     std::string machine;
+    std::string driver;   ///< "llvmpipe Mesa 22.3.6"
+    std::string compiler; ///< glslang and SPIRV-Tools
     BenchOptions options;
     std::vector<GroupResult> groups;
 };

@@ -11,25 +11,11 @@
 namespace gnomon::measure {
 namespace {
 
-std::string number(double value) {
-    return std::isinf(value) ? "inf" : value == 0 ? "0" : fmt::format("{:.1e}", value);
-}
-std::string ratio(double value) {
-    return std::isinf(value) ? "inf"
-           : value == 0      ? "0"
-           : value < 1000    ? fmt::format("{:.2g}", value)
-                             : fmt::format("{:.0e}", value);
-}
 std::string share(const Quantiles& q) {
     if (q.non_finite == 0) return "0";
     const double percent = 100 * q.non_finite_share();
     return percent < 0.1 ? "<0.1 %" : fmt::format("{:.1f} %", percent);
 }
-std::string time(double nanoseconds, const Timings& timings) {
-    const double least = timings.least_time();
-    return nanoseconds < least ? fmt::format("<{:.1f}", least) : fmt::format("{:.1f}", nanoseconds);
-}
-
 void add_error_header(std::vector<std::string>& header, bool has_limit) {
     for (const char* name : {"median", "90 %", "99 %", "max"}) header.emplace_back(name);
     if (has_limit)
@@ -39,10 +25,10 @@ void add_error_header(std::vector<std::string>& header, bool has_limit) {
 
 void add_errors(std::vector<std::string>& row, const Summary& s, bool has_limit) {
     for (const double value : {s.of_scale.median, s.of_scale.p90, s.of_scale.p99, s.of_scale.most})
-        row.push_back(number(value));
+        row.push_back(error_cell(value));
     if (has_limit)
         for (const double value : {s.of_limit.median, s.of_limit.p99, s.of_limit.most})
-            row.push_back(ratio(value));
+            row.push_back(ratio_cell(value));
     row.push_back(share(s.of_scale));
 }
 
@@ -53,10 +39,11 @@ void add_time_header(std::vector<std::string>& header, const std::vector<Timings
 }
 
 void add_times(std::vector<std::string>& row, const std::vector<Timings>& timings, std::size_t variant) {
-    for (const Timings& t : timings) row.push_back(time(t.variants[variant].median, t));
+    for (const Timings& t : timings) row.push_back(time_cell(t.variants[variant].median, t));
     if (timings.empty()) return;
     const Timing& last = timings.back().variants[variant];
-    row.push_back(fmt::format("{} to {}", time(last.least, timings.back()), time(last.most, timings.back())));
+    row.push_back(
+        fmt::format("{} to {}", time_cell(last.least, timings.back()), time_cell(last.most, timings.back())));
 }
 
 /// Columns on a terminal: characters, not bytes.
@@ -92,6 +79,22 @@ void add_variants(Table& table, const GroupResult& result, const std::string& na
 }
 
 } // namespace
+
+std::string error_cell(double value) {
+    return std::isinf(value) ? "inf" : value == 0 ? "0" : fmt::format("{:.1e}", value);
+}
+
+std::string ratio_cell(double value) {
+    return std::isinf(value) ? "inf"
+           : value == 0      ? "0"
+           : value < 1000    ? fmt::format("{:.2g}", value)
+                             : fmt::format("{:.0e}", value);
+}
+
+std::string time_cell(double nanoseconds, const Timings& timings) {
+    const double least = timings.least_time();
+    return nanoseconds < least ? fmt::format("<{:.1f}", least) : fmt::format("{:.1f}", nanoseconds);
+}
 
 Table overall_table(const GroupResult& result) {
     Table table;
@@ -186,19 +189,27 @@ std::string to_text(const Table& table) {
 
 std::string to_html(const Table& table) {
     const std::vector<bool> numbers = columns_of_numbers(table);
-    const auto row_of = [&](const char* tag, const std::vector<std::string>& cells) {
+    const auto row_of = [&](std::string_view tag, const std::vector<std::string>& cells) {
         std::string row = "<tr>";
         for (std::size_t k = 0; k < cells.size(); ++k)
-            row += fmt::format("<{0}{1}>{2}</{0}>", tag, numbers[k] ? " class=\"number\"" : "",
-                               atlas::escape_html(cells[k]));
+            row += fmt::format("<{0}{1}>{2}</{3}>", tag, numbers[k] ? " class=\"number\"" : "",
+                               atlas::escape_html(cells[k]), tag.substr(0, 2));
         return row + "</tr>\n";
     };
     std::string html;
     for (const std::string& note : table.notes)
         html += fmt::format("<p class=\"soft\">{}</p>\n", atlas::escape_html(note));
-    html += "<div class=\"wide\"><table>\n<thead>" + row_of("th", table.header) + "</thead>\n<tbody>\n";
+    html += fmt::format(
+        "<div class=\"wide\" tabindex=\"0\"><table>\n<caption>{}</caption>\n<thead>{}</thead>\n<tbody>\n",
+        atlas::escape_html(table.title), row_of("th scope=\"col\"", table.header));
     for (const auto& row : table.rows) html += row_of("td", row);
     return html + "</tbody></table></div>\n";
+}
+
+std::string to_sortable_html(const Table& table) {
+    return fmt::format("<div class=\"sortable\">\n<form role=\"search\" hidden><label>Search {} <input "
+                       "type=\"search\" name=\"search\"></label> <output></output></form>\n{}</div>\n",
+                       atlas::escape_html(table.title), to_html(table));
 }
 
 std::string to_text(const Bench& bench, bool by_class) {

@@ -29,6 +29,13 @@ Table locus_table(const GroupResult& result);
 
 std::string to_text(const Table& table);
 std::string to_html(const Table& table);
+/// The same with a field to search it and headers that sort it, where the page's script runs.
+std::string to_sortable_html(const Table& table);
+
+// How cells show numbers.
+std::string error_cell(double value);                              ///< "1.2e-07"
+std::string ratio_cell(double value);                              ///< "0.25", "3e+06"
+std::string time_cell(double nanoseconds, const Timings& timings); ///< "<0.3" where noise drowns it
 
 /// All of a bench: lone kernels last, in one table; with tables by class if asked for.
 std::string to_text(const Bench& bench, bool by_class);

@@ -1,12 +1,14 @@
 #include "casegen/measure/timing.h"
 
 #include "casegen/measure/quantiles.h"
+#include "casegen/measure/yardstick.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <thread>
 
 namespace gnomon::measure {
@@ -31,8 +33,11 @@ Timings time_on(gpu::Device& device, const Group& group, const LoopBuffers& buff
     loops.back().threads = loops.front().threads;
     loops.push_back(make_loop(device, *first.kernel, sources, Repeated::reads, buffers));
 
+    Yardstick yardstick(device);
     std::vector<std::vector<double>> taken(loops.size());
+    std::vector<double> yards;
     for (unsigned round = 0; round < options.rounds; ++round) {
+        yards.push_back(yardstick.run());
         for (std::size_t i = 0; i < loops.size(); ++i) {
             const std::size_t n = (i + round) % loops.size(); // each has its turn at being the first
             taken[n].push_back(run_once(device, loops[n], buffers));
@@ -41,10 +46,12 @@ Timings time_on(gpu::Device& device, const Group& group, const LoopBuffers& buff
     }
     Timings timings;
     timings.floor = median_of(taken.back());
+    timings.yardstick = median_of(yards);
     for (std::size_t n = 0; n < count; ++n) {
         const auto [least, most] = std::ranges::minmax(taken[n]);
         const auto net = [&](double gross) { return std::max(0.0, gross - timings.floor); };
-        timings.variants.push_back({net(median_of(taken[n])), net(least), net(most)});
+        timings.variants.push_back(
+            {net(median_of(taken[n])), net(least), net(most), ratio_of(taken[n], yards)});
     }
     std::vector<double> ratios, distances, spreads;
     for (const std::vector<double>& rounds : taken) {
@@ -62,6 +69,16 @@ Timings time_on(gpu::Device& device, const Group& group, const LoopBuffers& buff
 }
 
 } // namespace
+
+Ratio ratio_of(const std::vector<double>& times, const std::vector<double>& over) {
+    std::vector<double> ratios;
+    for (std::size_t round = 0; round < times.size(); ++round) ratios.push_back(times[round] / over[round]);
+    if (ratios.empty() || !std::ranges::all_of(ratios, [](double r) { return std::isfinite(r); })) {
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        return {nan, {nan, nan}};
+    }
+    return {median_of(ratios), median_interval(ratios, 0.95)};
+}
 
 double Timings::noise() const { return std::max({least_noise, std::abs(again - 1), again_spread, spread}); }
 

@@ -6,6 +6,7 @@
 #include "casegen/measure/inputs.h"
 #include "casegen/measure/loop.h"
 #include "casegen/measure/variant.h"
+#include "casegen/measure/verdict.h"
 #include "runtime/gpu/device.h"
 
 #include <cstdint>
@@ -16,15 +17,26 @@
 
 namespace gnomon::measure {
 
+/// One time over another of the same round.
+struct Ratio {
+    double median = 0;
+    Interval interval; ///< of the median, at 95 %: everything if there are fewer than 6 rounds
+};
+
+/// NaN where a round has no time. `times` and `over` have one of each per round.
+Ratio ratio_of(const std::vector<double>& times, const std::vector<double>& over);
+
 /// Nanoseconds per evaluation over the rounds.
 struct Timing {
     double median = 0, least = 0, most = 0;
+    Ratio over_yardstick; ///< with the reading: see yardstick.h
 };
 
 /// Of one set of inputs.
 struct Timings {
     std::string inputs; ///< "ordinary", "all classes"
     double floor = 0;   ///< reading a record, which is taken off below
+    double yardstick = 0;
     std::vector<Timing> variants;
     /// The first variant measured a second time in every round, over the first time: the median of the
     /// ratios, and the median of their distances from 1.

@@ -68,6 +68,13 @@ std::vector<Trigonometry> modes_that_differ(const Case& c, std::span<const Trigo
 
 } // namespace
 
+std::string full_name(const Variant& variant) {
+    std::string name = variant.kernel->name;
+    if (variant.trigonometry != Trigonometry::portable)
+        name += std::string(", ") + to_string(variant.trigonometry);
+    return name;
+}
+
 std::vector<Group> group(std::span<const Case* const> cases, std::span<const Trigonometry> modes,
                          const std::filesystem::path& kernels) {
     std::vector<std::vector<const Case*>> alike;

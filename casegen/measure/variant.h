@@ -18,6 +18,9 @@ struct Variant {
     std::string label; ///< what tables and pictures call it: "sinc", "sinc, built-in"
 };
 
+/// "integral/sinc/a0", or with its mode of trigonometry behind: "integral/sinc/a0, built-in".
+std::string full_name(const Variant& variant);
+
 /// Variants of one quantity: they share parameters, generator and reference, and run on the same inputs.
 struct Group {
     std::string name; ///< the quantity's, or that of a kernel that is alone

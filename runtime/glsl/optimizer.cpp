@@ -44,4 +44,9 @@ std::size_t optimized_instructions(const Spirv& words) {
     return count;
 }
 
+std::string optimizer_version() {
+    const std::string text = spvSoftwareVersionString(); // "v2023.1 unknown hash, 2023-01-27"
+    return "SPIRV-Tools " + text.substr(0, text.find(' '));
+}
+
 } // namespace gnomon::glsl

@@ -5,6 +5,7 @@
 #include "runtime/glsl/compiler.h"
 
 #include <cstddef>
+#include <string>
 
 namespace gnomon::glsl {
 
@@ -15,5 +16,8 @@ Spirv optimized(const Spirv& words);
 /// Instructions in the bodies of functions once SPIRV-Tools has optimised them as `spirv-opt -O` does:
 /// everything inlined, nothing that is never executed. Throws Error if it cannot.
 std::size_t optimized_instructions(const Spirv& words);
+
+/// "SPIRV-Tools v2023.1": another one may optimise otherwise.
+std::string optimizer_version();
 
 } // namespace gnomon::glsl

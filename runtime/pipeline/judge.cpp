@@ -27,6 +27,12 @@ PixelCounts count_pixels(const Surfaces& surfaces, std::span<const float> visibi
     return counts;
 }
 
+std::size_t count_differing(std::span<const float> visibility, std::span<const float> truth) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) count += visibility[i] == truth[i] ? 0 : 1;
+    return count;
+}
+
 Image false_colours(const Surfaces& surfaces, std::span<const float> visibility, std::span<const float> truth,
                     int width, int height) {
     constexpr Rgb background{255, 255, 255}, away{92, 104, 120}, lit{208, 208, 208}, shadow{72, 72, 72};

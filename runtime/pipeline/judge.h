@@ -24,6 +24,9 @@ struct PixelCounts {
 PixelCounts count_pixels(const Surfaces& surfaces, std::span<const float> visibility,
                          std::span<const float> truth);
 
+/// Pixels whose visibility is not the truth's, bit for bit. NaN is the same as nothing.
+std::size_t count_differing(std::span<const float> visibility, std::span<const float> truth);
+
 /// Light grey: lit and right; dark grey: shadow and right; red: lit where truth is shadow; blue: shadowed
 /// where truth is lit; slate: faces away from the light; white: background.
 Image false_colours(const Surfaces& surfaces, std::span<const float> visibility, std::span<const float> truth,

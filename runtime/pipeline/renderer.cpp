@@ -193,7 +193,7 @@ struct Renderer::Impl : Resources {
     }
 
     /// From maps to fixed pixels, over the G-buffer that is there.
-    double hybrid_milliseconds(const Technique& technique, Stopwatch& watch) {
+    double frame_milliseconds(const Technique& technique, Stopwatch& watch) {
         const auto start = Clock::now();
         find_visibility(technique, watch);
         return milliseconds_since(start);
@@ -211,7 +211,7 @@ struct Renderer::Impl : Resources {
                 exact.push_back({.kind = Technique::Kind::hybrid, .name = technique.name, .prune = prune});
                 names.push_back(technique.name);
             }
-        choice = calibrate(names, [&](std::size_t i) { return hybrid_milliseconds(exact[i], ignored); });
+        choice = calibrate(names, [&](std::size_t i) { return frame_milliseconds(exact[i], ignored); });
         for (const Technique& technique : exact)
             if (technique.name != choice->name()) hybrids.erase(key_of(technique));
         choice->milliseconds = milliseconds_since(start);
@@ -371,16 +371,16 @@ std::vector<PixelState> Renderer::states(const Technique& technique) {
     return r.hybrids.at(Impl::key_of(hybrid)).states();
 }
 
-std::vector<HybridTimes> Renderer::time_hybrids(const std::vector<Technique>& techniques, int rounds) {
+std::vector<TechniqueTimes> Renderer::time_techniques(const std::vector<Technique>& techniques, int rounds) {
     Impl& r = *impl_;
     std::vector<Technique> timed; // calibrated before the clock runs
     for (const Technique& technique : techniques) timed.push_back(r.chosen(technique));
-    std::vector<HybridTimes> result(timed.size());
+    std::vector<TechniqueTimes> result(timed.size());
     std::vector<Stopwatch> watches(timed.size());
     Stopwatch ignored;
     r.draw_gbuffer(ignored);
     for (std::size_t i = 0; i < timed.size(); ++i) {
-        r.hybrid_milliseconds(timed[i], ignored);
+        r.frame_milliseconds(timed[i], ignored);
         result[i].visibility = r.device.read<float>(r.visibility);
     }
     std::vector<std::vector<double>> whole(timed.size());
@@ -388,14 +388,15 @@ std::vector<HybridTimes> Renderer::time_hybrids(const std::vector<Technique>& te
     for (int round = 0; round < std::max(rounds, 1); ++round)
         for (std::size_t n = 0; n < timed.size(); ++n) {
             const std::size_t i = round % 2 == 0 ? n : timed.size() - 1 - n;
-            whole[i].push_back(r.hybrid_milliseconds(timed[i], watches[i]));
-            result[i].frame = r.hybrid_frame;
+            whole[i].push_back(r.frame_milliseconds(timed[i], watches[i]));
+            if (timed[i].kind == Technique::Kind::hybrid) result[i].frame = r.hybrid_frame;
         }
     for (std::size_t i = 0; i < timed.size(); ++i) {
         result[i].steps = watches[i].medians_of_all();
         result[i].milliseconds = median(whole[i]);
         result[i].least = std::ranges::min(whole[i]);
         result[i].most = std::ranges::max(whole[i]);
+        result[i].rounds = std::move(whole[i]);
     }
     return result;
 }

@@ -32,13 +32,14 @@ struct Rendering {
     std::optional<Choice> choice;      ///< what an automatic technique chose, and from which times
 };
 
-/// One hybrid technique's frames without what all techniques share: no G-buffer, no shading.
-struct HybridTimes {
+/// One technique's frames without what all techniques share: no G-buffer, no shading.
+struct TechniqueTimes {
     std::vector<Step> steps;       ///< medians, in the order of the steps
     double milliseconds = 0;       ///< of whole frames: a median of its own
     double least = 0, most = 0;    ///< of the same frames
+    std::vector<double> rounds;    ///< the same frames, one by one, in milliseconds
     std::vector<float> visibility; ///< as Rendering's
-    HybridFrame frame;             ///< the last
+    HybridFrame frame;             ///< the last; nothing of a technique that is no hybrid
 };
 
 /// What is the same for all techniques, per pixel.
@@ -90,9 +91,10 @@ public:
     /// one more is discarded. Nothing falls back.
     std::vector<double> time_visibility(const std::vector<Technique>& techniques, int rounds);
 
-    /// Hybrid and automatic techniques over one G-buffer, in turns as above: frames from maps to fixed
-    /// pixels. The first round, which compiles and builds the BVH, is discarded; `rounds` more count.
-    std::vector<HybridTimes> time_hybrids(const std::vector<Technique>& techniques, int rounds);
+    /// Techniques of any kind over one G-buffer, in turns as above: frames on the wall, from maps to the last
+    /// pixel's visibility. The first round, which compiles and builds the BVH, is discarded; `rounds` more
+    /// count.
+    std::vector<TechniqueTimes> time_techniques(const std::vector<Technique>& techniques, int rounds);
 
     /// What an automatic technique takes in this view: calibrated when it is first asked for, and then kept
     /// until look. Sizes, scene and device are a renderer's for ever. What the losers held on the device is

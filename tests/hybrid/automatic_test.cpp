@@ -58,13 +58,13 @@ TEST(TimeHybrids, KeepsTechniquesApart) {
         {.kind = Technique::Kind::hybrid, .name = hybrid_techniques().front().name},
         {.kind = Technique::Kind::hybrid, .name = "lists"},
         automatic};
-    const std::vector<HybridTimes> times = renderer->time_hybrids(techniques, 2);
+    const std::vector<TechniqueTimes> times = renderer->time_techniques(techniques, 2);
     ASSERT_EQ(times.size(), 3u);
     EXPECT_EQ(times[0].frame.rays, times[0].frame.facing);
     EXPECT_LT(times[1].frame.rays, times[0].frame.rays / 2);
     EXPECT_EQ(times[0].frame.maps.triangles_emitted, 0u);
     EXPECT_GT(times[1].frame.maps.triangles_emitted, 0u);
-    for (const HybridTimes& each : times) {
+    for (const TechniqueTimes& each : times) {
         EXPECT_EQ(each.visibility, times[0].visibility);
         EXPECT_LE(each.least, each.milliseconds);
         EXPECT_LE(each.milliseconds, each.most);

@@ -121,11 +121,11 @@ TEST(bench, everything_but_times_is_the_same_on_any_number_of_jobs) {
     const SineFamily family;
     BenchOptions options = options_for(family);
     options.jobs = 1;
-    const std::string one = bench_json(measured(family, options));
+    const std::string one = bench_json(Report{measured(family, options)});
     options.jobs = 3;
-    EXPECT_EQ(bench_json(measured(family, options)), one);
+    EXPECT_EQ(bench_json(Report{measured(family, options)}), one);
     options.seed = 5;
-    EXPECT_NE(bench_json(measured(family, options)), one);
+    EXPECT_NE(bench_json(Report{measured(family, options)}), one);
 }
 
 TEST(bench, times_are_of_the_work_and_not_of_reading) {
@@ -194,7 +194,7 @@ TEST(bench, files_hold_what_was_found_and_json_has_no_infinity) {
     const Bench made = measured(family, options);
     const auto out = family.folder().path() / "out";
     require_report_folder(out);
-    write_report(out, made);
+    write_report(out, Report{made});
     for (const char* name : {"report.html", "wave_integral_distance.svg", "wave_integral_pareto.svg"})
         EXPECT_TRUE(std::filesystem::is_regular_file(out / name)) << name;
     const nlohmann::json json = nlohmann::json::parse(read_file(out / "bench.json"));

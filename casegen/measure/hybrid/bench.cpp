@@ -1,6 +1,7 @@
 #include "casegen/measure/hybrid/bench.h"
 
 #include "runtime/error.h"
+#include "runtime/pipeline/judge.h"
 
 #include <algorithm>
 
@@ -30,13 +31,6 @@ std::vector<std::string> names_of(const HybridBenchOptions& options) {
             names.push_back(technique.name);
     if (wanted(auto_name)) names.emplace_back(auto_name);
     return names;
-}
-
-/// NaN is the same as nothing.
-std::size_t count_differing(const std::vector<float>& found, const std::vector<float>& truth) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i) count += found[i] == truth[i] ? 0 : 1;
-    return count;
 }
 
 double milliseconds_of(const std::vector<gnomon::Step>& steps, const char* name) {
@@ -93,7 +87,7 @@ HybridCombination measure_combination(Renderer& renderer, const HybridBenchOptio
     if (automatic) result.choice = renderer.choice();
     std::vector<Technique> techniques;
     for (const std::string& name : names) techniques.push_back(technique_called(name));
-    std::vector<HybridTimes> times = renderer.time_hybrids(techniques, options.rounds);
+    std::vector<TechniqueTimes> times = renderer.time_techniques(techniques, options.rounds);
     for (std::size_t i = 0; i < names.size(); ++i) {
         HybridRow row{.technique = names[i], .exact = is_exact(names[i]), .times = std::move(times[i])};
         row.wrong = count_differing(row.times.visibility, truth.visibility);

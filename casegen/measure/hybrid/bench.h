@@ -30,7 +30,7 @@ struct HybridBenchOptions {
 struct HybridRow {
     std::string technique;
     bool exact = false; ///< it promises the ray tracer's image
-    HybridTimes times;
+    TechniqueTimes times;
     std::size_t wrong = 0; ///< pixels whose visibility is not the ray tracer's
     double break_even = 0; ///< nanoseconds per ray; of raytraced itself 0
     FrameCost cost() const;
