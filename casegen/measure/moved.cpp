@@ -246,9 +246,16 @@ Moved moved(const Baseline& before, const Baseline& now, bool whole) {
             fmt::format("the baseline is of another machine ({}; here {}): only times that "
                         "moved by more than {:.0f} % are told, and none decides",
                         before.machine, now.machine, 100 * foreign_time_move));
+    constexpr unsigned least_rounds = 6; // fewer leave an interval of everything: see median_interval
+    if (result.times > 0 && std::min(before.rounds, now.rounds) < least_rounds)
+        result.notes.push_back(
+            fmt::format("fewer than {} rounds (the baseline {}, now {}): no time can be told "
+                        "from another",
+                        least_rounds, before.rounds, now.rounds));
     if (!rules.same_yardstick && now.rounds > 0)
         result.notes.emplace_back("the baseline's times are over another yardstick: they are not compared");
-    std::ranges::stable_partition(result.moves, [](const Move& move) { return is_bad(move.change); });
+    std::stable_partition(result.moves.begin(), result.moves.end(),
+                          [](const Move& move) { return is_bad(move.change); });
     return result;
 }
 

@@ -186,6 +186,15 @@ TEST(moved, of_a_time_that_is_missing_or_none_nothing_is_said) {
     }
 }
 
+TEST(moved, too_few_rounds_say_nothing_and_that_is_said) {
+    Baseline now = baseline();
+    now.rounds = 5;
+    for (KernelRecord& each : now.kernels) each.time->ratio = {9, {-infinity, infinity}};
+    const Moved all = moved(baseline(), now, true);
+    EXPECT_THAT(all.moves, SizeIs(0));
+    EXPECT_THAT(all.notes, ::testing::ElementsAre(HasSubstr("fewer than 6 rounds")));
+}
+
 TEST(moved, times_of_another_machine_or_yardstick_decide_nothing) {
     Baseline now = baseline();
     now.kernels[1].time->ratio = {2.6, {2.5, 2.7}};
