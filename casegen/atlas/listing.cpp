@@ -24,7 +24,7 @@ std::string branch_html(const Branch& branch, const std::vector<Hits>& hits) {
     for (const Branch::Outcome& outcome : branch.outcomes)
         outcomes += fmt::format("{}{} {}", outcomes.empty() ? "" : ", ", escape_html(outcome.what),
                                 count_html(hits[outcome.counter]));
-    return fmt::format("<div><code>{}</code> {}</div>", escape_html(branch.text), outcomes);
+    return fmt::format("<div>↳ <code>{}</code> {}</div>", escape_html(branch.text), outcomes);
 }
 
 } // namespace
@@ -33,7 +33,7 @@ std::string listing_html(const coverage::FileCoverage& file) {
     const std::map<int, Hits> lines = coverage::line_hits(file);
     std::string html =
         "<div class=\"wide\"><table class=\"listing\"><thead><tr><th class=\"number\">Reached</th>"
-        "<th class=\"number\">Line</th><th>Text</th><th>Branches</th></tr></thead><tbody>\n";
+        "<th class=\"number\">Line</th><th>Text, and branches</th></tr></thead><tbody>\n";
     std::string_view rest = file.text;
     for (int line = 1; !rest.empty(); ++line) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -46,7 +46,7 @@ std::string listing_html(const coverage::FileCoverage& file) {
         const bool missed = (found != lines.end() && found->second.all() == 0) ||
                             branches.find("class=\"never\"") != branches.npos;
         html += fmt::format("<tr{}><td class=\"number\">{}</td><td class=\"number soft\">{}</td>"
-                            "<td><code>{}</code></td><td>{}</td></tr>\n",
+                            "<td><code>{}</code>{}</td></tr>\n",
                             missed ? " class=\"missed\"" : "",
                             found == lines.end() ? "" : count_html(found->second), line, glsl_to_html(text),
                             branches);

@@ -8,7 +8,7 @@
 namespace gnomon::atlas {
 
 /// A table, a row per line: how often it was reached ("never" if not, "random samples only" if the fixtures
-/// did not), its number, its text, and how often each branch on it went which way.
+/// did not), its number, its text, and below that how often each branch on it went which way.
 std::string listing_html(const coverage::FileCoverage& file);
 
 /// "6 of 6 lines, 7 of 8 branches (by the fixtures alone 6 and 5)".
