@@ -32,7 +32,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 const std::string& atlas() {
     static const std::string page = [] {
         const testing::TemporaryFolder folder;
-        testing::run_well({"atlas", folder.path(), "--samples", "1024"});
+        testing::run_well({"atlas", folder.path(), "--samples", "1024", "--coverage"});
         return read_file(folder.path() / "index.html");
     }();
     return page;

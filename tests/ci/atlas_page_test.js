@@ -29,6 +29,12 @@ addEventListener("load", async () => {
         expect(one.querySelector("svg.mask .head"), `${one.id}: no arrow`);
         expect(math.length >= 2, `${one.id}: condition or formula is missing as MathML`);
         for (const formula of math) expect(seen(formula), `${one.id}: math without a size`);
+        const rows = [...one.querySelectorAll(".listing tbody tr")];
+        expect(rows.length > 0 && rows.every(seen), `${one.id}: what was reached of its text is not shown`);
+        expect(rows.some((row) => /^\d+$/.test(row.cells[0].textContent)), `${one.id}: no line was reached`);
+        for (const row of rows)
+            expect(row.classList.contains("missed") === [...row.querySelectorAll(".never")].some(seen),
+                `${one.id}: a line is marked by colour alone, or by words alone`);
         expect(getComputedStyle(math[0]).display.includes("math"), `${one.id}: MathML is not laid out`);
     }
     expect(document.documentElement.scrollWidth <= innerWidth, "the page is wider than the window");
