@@ -106,7 +106,10 @@ void measure(int runs) {
          [&](int) {
              return run({"check", "[!i]*", "--samples", "1"}, warm);
          }},
-        {"  the same on all their samples", 0, [&](int) { return run({"check", "[!i]*"}, warm); }},
+        {"  the same on all their samples", 0,
+         [&](int) {
+             return run({"check", "[!i]*"}, warm);
+         }},
         {"check integral (78 kernels), warm", 1000,
          [&](int) {
              return run({"check", "integral"}, warm);
