@@ -87,7 +87,7 @@ float float_of(const Json& value, const std::string& place) {
     return std::bit_cast<float>(parse_word(Scalar::float32, value.get<std::string>(), place));
 }
 std::uint32_t whole_of(const Json& value, std::uint32_t most, const std::string& place) {
-    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most)
+    if (!value.is_number_integer() || value.get<std::int64_t>() < 0 || value.get<std::int64_t>() > most)
         throw Error("{}: not a whole number from 0 to {}", place, most);
     return value.get<std::uint32_t>();
 }
