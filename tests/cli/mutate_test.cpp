@@ -17,7 +17,7 @@ using testing::run_gnomon;
 using testing::TemporaryFolder;
 
 TEST(mutate_verb, kills_a_sample_of_every_family_of_cases) {
-    const Ran ran = run_gnomon({"mutate", "smsr,rsmss,rbsm,adjacency", "--limit", "60"});
+    const Ran ran = run_gnomon({"mutate", "smsr,rsmss,rbsm,revectorize", "--limit", "60"});
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("0 of 60 mutants survive"));
     EXPECT_THAT(ran.out, HasSubstr("rsmss/case_31"));
