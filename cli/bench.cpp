@@ -222,7 +222,7 @@ void add_bench(CLI::App& app, Common& common, int& exit_code) {
                  "pictures\n"
                  "  gnomon bench --out bench.html                         everything on one page\n"
                  "  gnomon bench smsr --no-time                           how wrong a family's kernels are\n"
-                 "  gnomon bench --against BASELINE.json                  what moved");
+                 "  gnomon bench --against fixtures/baseline.json         what moved");
     add_bench_hybrid(*verb, common, exit_code);
     verb->callback([options, verb, &common, &exit_code] {
         if (verb->get_subcommands().empty()) exit_code = run(*options, common);

@@ -104,6 +104,26 @@ TEST(bench_verb, writes_one_page_of_kernels_and_techniques) {
     EXPECT_THAT(page, Not(HasSubstr(testing::source_folder().string())));
 }
 
+// The committed baseline is what the kernels do. A change that moves an error or a count of instructions
+// writes it anew.
+const char* remedy = "\nIf this is meant, write the baseline anew and read its difference:\n"
+                     "  gnomon bench --save fixtures/baseline.json && git diff fixtures/baseline.json\n";
+
+void expect_as_committed(const testing::Arguments& what) {
+    using testing::operator+;
+    const std::string file = (testing::fixtures_folder() / "baseline.json").string();
+    const testing::Ran ran = testing::run_gnomon(testing::Arguments{"bench"} + what +
+                                                 testing::Arguments{"--no-time", "--against", file});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err << remedy;
+    EXPECT_THAT(ran.out, HasSubstr("nothing moved: ")) << ran.out << remedy;
+}
+
+TEST(bench_baseline, is_what_the_kernels_do) { expect_as_committed({"--scenes", "none"}); }
+
+TEST(bench_baseline, is_what_the_techniques_do) {
+    expect_as_committed({"nsm", "--scenes", "demo,fixtures/scenes/hybrid/thin_ramp.obj"});
+}
+
 TEST(bench_verb, refuses_what_it_cannot_do_with_one_line) {
     const testing::TemporaryFolder folder;
     const std::string file = folder.write("file", "").string();
@@ -133,6 +153,10 @@ TEST(bench_verb, refuses_a_baseline_that_is_none_with_one_line) {
     expect_refused(folder, {"bench", "smsr", "--against", empty}, "empty.json: is not JSON");
     expect_refused(folder, {"bench", "smsr", "--against", other}, "other.json: is not a baseline");
     expect_refused(folder, {"bench", "smsr", "--against", cut}, "cut.json: has no \"driver\"");
+    // The inputs are the baseline's, or errors could not be compared.
+    const std::string good = (testing::fixtures_folder() / "baseline.json").string();
+    expect_refused(folder, {"bench", "smsr", "--against", good, "--samples", "5"}, "--samples");
+    expect_refused(folder, {"bench", "smsr", "--against", good, "--seed", "5"}, "--seed");
     const std::string out = (folder.path() / "page.html").string();
     expect_refused(folder, {"bench", "smsr", "--out", out, "--mutation", other}, "other.json");
     expect_refused(folder, {"bench", "smsr", "--out", out, "--coverage", empty}, "empty.json");
