@@ -1,6 +1,7 @@
 #include "casegen/check.h"
 #include "casegen/fuzz/campaign.h"
 #include "casegen/fuzz/chain.h"
+#include "casegen/fuzz/journal.h"
 #include "cli/commands.h"
 #include "cli/fuzz_report.h"
 #include "cli/parse.h"
@@ -69,6 +70,8 @@ int run(const Options& options, const Common& common, bool limited, const std::s
         campaign.journal = folder / fuzz::journal_name(cases, campaign);
     }
     if (options.restart) std::filesystem::remove(campaign.journal);
+    fuzz::load_regressions(campaign.regressions); // malformed ones are told before anything is printed
+    { const fuzz::Journal journal(campaign.journal); }
     std::signal(SIGINT, stop_fuzzing);
     std::signal(SIGTERM, stop_fuzzing);
     fuzz::CampaignReport report;

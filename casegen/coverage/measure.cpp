@@ -247,8 +247,9 @@ std::vector<FileCoverage> merge(const glsl::Sources& sources, std::span<const Ke
                 file.replays.insert(found->second.begin(), found->second.end());
         }
     std::vector<FileCoverage> merged;
-    for (auto& [name, file] : files) {
-        std::erase_if(file.replays, [&](const auto& entry) { return file.hits[entry.first].fixtures > 0; });
+    for (auto& entry : files) {
+        FileCoverage& file = entry.second;
+        std::erase_if(file.replays, [&](const auto& replay) { return file.hits[replay.first].fixtures > 0; });
         merged.push_back(std::move(file));
     }
     std::ranges::stable_sort(merged, {}, &FileCoverage::is_generated);

@@ -1,8 +1,10 @@
 #include "casegen/fuzz/message.h"
 
-#include "casegen/catalogue.h"
 #include "casegen/csv.h"
+#include "casegen/fuzz/chain.h"
+#include "casegen/fuzz/scene_input.h"
 #include "runtime/error.h"
+#include "runtime/one_line.h"
 
 #include <nlohmann/json.hpp>
 
@@ -39,8 +41,9 @@ Found found_of(const Json& object) {
     Found found{{text("kernel"), text("failure"), input_of(object.at("input")), text("got"), text("want"),
                  text("allowed"), text("found")},
                 object.at("on_file").get<bool>()};
-    const Case& c = find_case(found.regression.kernel);
-    if (!found.regression.input.words.empty()) require_input_of(c, found.regression.input); // none: unknown
+    const Case* c = find_subject(found.regression.kernel);
+    if (!c) throw Error("there is neither a kernel nor a chain \"{}\"", one_line(found.regression.kernel));
+    if (!found.regression.input.words.empty()) require_input_of(*c, found.regression.input); // none: unknown
     return found;
 }
 
@@ -97,6 +100,10 @@ std::string dump(const Json& object) { return object.dump(-1, ' ', false, Json::
 } // namespace
 
 void require_input_of(const Case& c, const Input& input) {
+    if (const Chain* chain = find_chain(c); chain && chain->draw) {
+        scene_of(input);
+        return;
+    }
     if (input.words.size() != word_count(c) || c.reference.takes_mask == input.mask.texels.empty())
         throw Error("an input of {} words{} is none of {}", input.words.size(),
                     input.mask.texels.empty() ? "" : " and a mask", c.name);

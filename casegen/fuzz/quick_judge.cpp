@@ -11,6 +11,8 @@
 namespace gnomon::fuzz {
 namespace {
 
+unsigned bit(bool condition) { return condition ? 1u : 0u; }
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The largest errors of a batch, and which records they are.
@@ -71,14 +73,14 @@ QuickJudge::QuickJudge(const Case& c) : case_(c) {
 }
 
 bool QuickJudge::inside(std::span<const std::uint32_t> words, const Mask* mask) const {
-    bool within = true; // no way out halfway: a branch that nobody can predict costs more than the rest
+    unsigned within = 1; // no way out halfway: a branch that nobody can predict costs more than the rest
     for (std::size_t i = 0; i < bounds_.size(); ++i) {
         const double number = widen(bounds_[i].scalar, words[i]);
-        within = within & (number >= bounds_[i].lower) & (number <= bounds_[i].upper);
+        within &= bit(number >= bounds_[i].lower) & bit(number <= bounds_[i].upper);
     }
     for (const Few& few : few_)
-        within = within & (words[few.word] < 64) & ((few.allowed >> (words[few.word] & 63) & 1) != 0);
-    if (!within) return false;
+        within &= bit(words[few.word] < 64) & bit((few.allowed >> (words[few.word] & 63) & 1) != 0);
+    if (within == 0) return false;
     for (const Choices& choices : choices_)
         if (std::ranges::none_of(*choices.values, [&](const std::vector<double>& choice) {
                 for (std::size_t k = 0; k < choices.components; ++k)
@@ -106,13 +108,13 @@ std::vector<std::size_t> QuickJudge::to_look_at(const Records& records,
     for (std::size_t i = 0; i < records.size(); ++i) {
         const std::span<const std::uint32_t> words = records.input(i);
         const bool defined = inside(words, records.mask(i));
-        bool in_range = true;
+        unsigned in_range = 1;
         std::array<double, 4> got{};
         for (std::size_t k = 0; k < components; ++k) {
             got[k] = widen(type.scalar, results[i * components + k]);
-            in_range = in_range & (got[k] >= case_.result.lower) & (got[k] <= case_.result.upper);
+            in_range &= bit(got[k] >= case_.result.lower) & bit(got[k] <= case_.result.upper);
         }
-        if (!in_range) {
+        if (in_range == 0) {
             if (defined || case_.defended) found.push_back(i);
             continue;
         }

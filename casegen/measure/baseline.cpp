@@ -4,6 +4,7 @@
 #include "casegen/measure/yardstick.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
+#include "runtime/one_line.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -131,7 +132,7 @@ TechniqueRecord technique_of(const Json& json, const std::string& at) {
 SceneRecord scene_of(const Json& json, const std::string& at) {
     SceneRecord scene;
     scene.scene = text_member(json, "scene", at);
-    const std::string here = fmt::format("{}, scene {}", at, scene.scene);
+    const std::string here = fmt::format("{}, scene {}", at, one_line(scene.scene));
     scene.width = static_cast<int>(std::min<std::uint64_t>(count_member(json, "width", here), 1 << 20));
     scene.height = static_cast<int>(std::min<std::uint64_t>(count_member(json, "height", here), 1 << 20));
     scene.shadow_map =

@@ -3,6 +3,8 @@
 #include "casegen/measure/json_reading.h"
 #include "casegen/measure/tables.h"
 
+#include "runtime/error.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -42,7 +44,9 @@ std::string mutation_section(const std::string& text, const std::string& name) {
         {}};
     Survivors survivors{{"Surviving mutants", {}, {"kernel", "mutant", "where", "before", "after"}, {}}};
     std::uint64_t all_killed = 0, all_survived = 0;
-    for (const Json& kernel : list_member(json, "kernels", name)) {
+    const Json& kernels = list_member(json, "kernels", name);
+    if (kernels.empty()) throw Error("{}: holds no kernels; gnomon mutate --json writes what is shown", name);
+    for (const Json& kernel : kernels) {
         const std::string kernel_name = text_member(kernel, "name", name);
         const std::string at = fmt::format("{}, kernel {}", name, kernel_name);
         const Json& survived = list_member(kernel, "survived", at);

@@ -24,7 +24,7 @@ std::string shown(double value) {
 
 /// Digits enough to tell both apart.
 std::string from_to(double before, double now) {
-    for (int digits = 3; digits < 17 && std::isfinite(before) && std::isfinite(now); ++digits) {
+    for (int digits = 3; digits <= 17 && std::isfinite(before) && std::isfinite(now); ++digits) {
         std::string a = fmt::format("{:.{}g}", before, digits), b = fmt::format("{:.{}g}", now, digits);
         if (a != b) return a + " -> " + b;
     }

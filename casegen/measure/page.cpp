@@ -60,7 +60,7 @@ for (const box of document.querySelectorAll(".sortable")) {
         const text = cell.textContent.trim();
         if (text === "" || text === "-") return null;
         const number = text === "inf" ? Infinity : Number.parseFloat(text.replace(/^</, ""));
-        return Number.isNaN(number) ? text : number;
+        return Number.isFinite(number) ? number : text;
     };
     const order = (a, b) => {
         if (a === null || b === null) return (a === null) - (b === null);

@@ -25,7 +25,8 @@ glsl::Spirv without_names(const glsl::Spirv& words) {
     constexpr std::size_t header = 5;
     constexpr std::array<std::uint32_t, 7> names{2, 3, 4,  5,
                                                  6, 7, 330}; // OpSource… OpString, OpModuleProcessed
-    glsl::Spirv kept(words.begin(), words.begin() + std::min(header, words.size()));
+    glsl::Spirv kept(words.begin(),
+                     words.begin() + static_cast<std::ptrdiff_t>(std::min(header, words.size())));
     for (std::size_t i = header; i < words.size();) {
         const std::size_t end = std::min(words.size(), i + std::max(words[i] >> 16, 1u));
         if (std::ranges::find(names, words[i] & 0xffffu) == names.end())

@@ -194,7 +194,7 @@ TEST_F(fuzz_verb, names_every_way_to_fail) {
         {"out_of_range", "smsr/case_01", "out of range"},
         {"never_written", "smsr/case_01", "never written"},
         {"unstable", "smsr/case_01", "unstable"},
-        {"syntax_error", "smsr/case_02", "compile error"}};
+        {"syntax_error", "smsr/case_09", "compile error"}};
     for (const auto& [name, kernel, failure] : ways) {
         const BrokenKernels broken(name);
         const Ran ran = fuzz({kernel, "--samples", "20000"}, broken.folder());
