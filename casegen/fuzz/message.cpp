@@ -8,10 +8,22 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 namespace gnomon::fuzz {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr const char* damaged = "not what gnomon fuzz writes";
+
+/// The library would convert what is negative, broken or too large without a word.
+template <typename Whole>
+Whole whole(const Json& value) {
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > std::numeric_limits<Whole>::max())
+        throw Error("{}: no whole number where one must be", damaged);
+    return static_cast<Whole>(value.get<std::uint64_t>());
+}
 
 Json json_of(const Input& input) {
     Json object{{"words", input.words}};
@@ -21,7 +33,8 @@ Json json_of(const Input& input) {
 }
 
 Input input_of(const Json& object) {
-    Input input{object.at("words").get<std::vector<std::uint32_t>>(), {}};
+    Input input;
+    for (const Json& word : object.at("words")) input.words.push_back(whole<std::uint32_t>(word));
     if (object.contains("mask")) {
         input.mask = parse_mask(object.at("mask").at(0).get<std::string>(), '/', "mask");
         input.mask.outside = parse_outside(object.at("mask").at(1).get<std::string>(), "outside");
@@ -48,17 +61,17 @@ Found found_of(const Json& object) {
 }
 
 Request request_of(const Json& object) {
-    Request request{object.at("kernel").get<std::size_t>(),
-                    object.at("round").get<std::uint64_t>(),
-                    object.at("evaluations").get<std::size_t>(),
+    Request request{whole<std::size_t>(object.at("kernel")),
+                    whole<std::uint64_t>(object.at("round")),
+                    whole<std::size_t>(object.at("evaluations")),
                     object.at("shrink").get<bool>(),
                     object.at("known").get<std::set<std::string>>(),
                     {},
                     object.at("tell_inputs").get<bool>()};
     if (object.contains("part")) {
         const Json& part = object.at("part");
-        request.part =
-            Part{part.at(0).get<std::size_t>(), part.at(1).get<std::size_t>(), part.at(2).get<std::size_t>()};
+        request.part = Part{whole<std::size_t>(part.at(0)), whole<std::size_t>(part.at(1)),
+                            whole<std::size_t>(part.at(2))};
     }
     return request;
 }
@@ -72,7 +85,7 @@ Reply reply_of(const Json& object) {
     if (object.contains("result")) {
         const Json& from = object.at("result");
         UnitResult result;
-        result.evaluations = from.at("evaluations").get<std::size_t>();
+        result.evaluations = whole<std::size_t>(from.at("evaluations"));
         for (const Json& found : from.at("found")) result.found.push_back(found_of(found));
         if (from.contains("worst")) {
             result.worst_error = from.at("worst_error").get<double>();
@@ -89,8 +102,7 @@ auto read_json(const std::string& text, const char* what, Read&& read) {
     try {
         return read(Json::parse(text));
     } catch (const Json::exception&) { // of its message's many lines none helps
-        throw Error("{}: not what gnomon fuzz writes ({} bytes of something else, or damaged)", what,
-                    text.size());
+        throw Error("{}: {} ({} bytes of something else, or damaged)", what, damaged, text.size());
     }
 }
 
