@@ -88,13 +88,24 @@ bool covers_clearly(const Arguments& arguments) {
                                     arguments.numbers[8], rounding(arguments, {0, 1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
+/// The margin is no less than the rounding of corners as seen from the point, as the pipeline's is: who
+/// rounds takes it for that, and from farther away a triangle looks too thin for a plane, whatever it is.
+bool is_asked_near(const Arguments& arguments, std::size_t margin) {
+    double farthest = 0;
+    for (std::size_t corner = 0; corner < 9; corner += 3)
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            farthest =
+                std::max(farthest, std::abs(arguments.numbers[corner + axis] - arguments.numbers[9 + axis]));
+    return farthest * 0x1p-24 <= arguments.numbers[margin];
+}
+
 unsigned height(dvec3 a, dvec3 b, dvec3 c, dvec3 origin, double tmin, double margin, double margin_z) {
     return truth::height(solid(a, b, c), {origin.x, origin.y}, origin.z - tmin, margin, margin_z);
 }
 bool is_high_clearly(const Arguments& arguments) {
     const auto& n = arguments.numbers;
     const truth::Solid triangle = solid_of(arguments);
-    if (truth::has_plane(triangle, n[13]) == 2) return false;
+    if (!is_asked_near(arguments, 13) || truth::has_plane(triangle, n[13]) == 2) return false;
     const double across = rounding(arguments, {0, 1, 3, 4, 6, 7, 9, 10, 13}),
                  along = rounding(arguments, {2, 5, 8, 11, 12, 14});
     const auto with = [&](double sign) {
@@ -117,21 +128,11 @@ bool hits_clearly(const Arguments& arguments) {
                                     rounding(arguments, {0, 1, 3, 4, 6, 7, 9, 10, 13}));
 }
 
-/// The margin is no less than the rounding of corners as seen from the point, as the pipeline's is: from
-/// farther away a triangle looks too thin for a plane, whatever it is.
-bool is_asked_near(const Arguments& arguments) {
-    double farthest = 0;
-    for (std::size_t corner = 0; corner < 9; corner += 3)
-        for (std::size_t axis = 0; axis < 2; ++axis)
-            farthest =
-                std::max(farthest, std::abs(arguments.numbers[corner + axis] - arguments.numbers[9 + axis]));
-    return farthest * 0x1p-24 <= arguments.numbers[12];
-}
 bool has_plane(const Arguments& arguments) {
-    return is_asked_near(arguments) && truth::has_plane(solid_of(arguments), arguments.numbers[12]) == 1;
+    return is_asked_near(arguments, 12) && truth::has_plane(solid_of(arguments), arguments.numbers[12]) == 1;
 }
 bool has_plane_or_none(const Arguments& arguments) {
-    return is_asked_near(arguments) && truth::has_plane(solid_of(arguments), arguments.numbers[12]) != 2;
+    return is_asked_near(arguments, 12) && truth::has_plane(solid_of(arguments), arguments.numbers[12]) != 2;
 }
 
 // --- inputs
@@ -296,7 +297,7 @@ Family column_family() {
                 .where = has_plane_or_none,
                 .generator = squares,
                 .rule = "too thin for a plane: the nearest and the farthest corner; corners that are NaN are "
-                        "left out or 0",
+                        "left out, and of none at all nothing is certain: -infinity and infinity",
             },
             {
                 .name = "column/height",

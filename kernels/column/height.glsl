@@ -6,6 +6,8 @@
 uint column_height(vec3 a, vec3 b, vec3 c, vec3 origin, float tmin, float margin, float margin_z) {
     float end = origin.z - tmin; // what is nearer to the light than this, is hit
     vec2 range = vec2(min(min(a.z, b.z), c.z), max(max(a.z, b.z), c.z));
+    // Of depths, too, rounding leaves no less than this unsure: that of `end`, and of a plane's depth, which is a sum.
+    margin_z = max(margin_z, 2.384185791015625e-7 * max(max(abs(range.x), abs(range.y)), abs(origin.z) + abs(tmin))); // 2^-22
     if (range.x - margin_z > end) return 0u;
     if (range.y + margin_z < end) return 1u;
     vec4 plane = column_plane(a, b, c, origin.xy, margin, margin);

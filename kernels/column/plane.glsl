@@ -3,8 +3,12 @@
 // |gradient| m, and elsewhere by that times the sum of the absolute barycentric weights. A triangle too thin to say has an infinite
 // error.                                                                                                 [hybrid.md, soundness: depth]
 vec4 column_plane(vec3 a, vec3 b, vec3 c, vec2 at, float half_side, float margin) {
-    precise vec3 pa = vec3(a.xy - at, a.z), pb = vec3(b.xy - at, b.z), pc = vec3(c.xy - at, c.z);
-    precise vec3 ab = pb - pa, bc = pc - pb, ca = pa - pc;
+    precise vec2 pa = a.xy - at, pb = b.xy - at, pc = c.xy - at;
+    // Rounding these three moves the corners, as the point sees them, by 2^-24 of how far they are: no margin is less.
+    vec2 far = max(max(abs(pa), abs(pb)), abs(pc));
+    margin = max(margin, 5.9604644775390625e-8 * max(far.x, far.y));
+    // The sides are not moved by that.
+    precise vec3 ab = b - a, bc = c - b, ca = a - c;
     precise float area = ab.x * -ca.y + ab.y * ca.x;
     vec3 sides = abs(vec3(ab.x, bc.x, ca.x)) + abs(vec3(ab.y, bc.y, ca.y));
     float longest = max(max(sides.x, sides.y), sides.z);
