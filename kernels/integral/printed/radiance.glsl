@@ -2,6 +2,7 @@
 // boundary; as printed, by α, β, k and b.   [Appendix B, Equation 5]
 #include "integral/fit_printed/alpha.glsl"
 #include "integral/fit_printed/beta.glsl"
+#include "integral/guard.glslh"
 #include "integral/printed/a.glsl"
 #include "integral/printed/b.glsl"
 #include "integral/printed/cell.glslh"
@@ -12,5 +13,5 @@ float integral_printed_radiance(float phi, float half_width, float theta0, vec2 
     float alpha = integral_fit_printed_alpha(cell.ends, lambda, mu);
     float beta = integral_fit_printed_beta(cell.ends, lambda, mu);
     return alpha * integral_printed_a(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n) +
-           beta * integral_printed_b(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n, p);
+           beta * integral_printed_b(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n, unit_vector(p));
 }
