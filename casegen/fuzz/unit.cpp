@@ -15,7 +15,7 @@ namespace gnomon::fuzz {
 namespace {
 
 constexpr std::size_t batch_size = std::size_t{1} << 16, batches_per_unit = 4;
-constexpr std::size_t truth_batch_size = 512; ///< of references in multiprecision
+constexpr std::size_t truth_batch_size = 128; ///< of references in multiprecision, a millisecond each
 constexpr std::uint64_t units_per_epoch = 4;  ///< which share their masks
 
 std::size_t batch_size_of(const Case& c) {

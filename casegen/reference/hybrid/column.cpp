@@ -2,13 +2,31 @@
 
 #include "casegen/reference/hybrid/number.h"
 
-#include <limits>
-#include <vector>
+#include <algorithm>
+#include <initializer_list>
 
 namespace gnomon::reference::hybrid {
 namespace {
 
-using Outline = std::vector<Place>;
+/// A polygon's corners, on the stack. Clipping a triangle by a square's four lines leaves no more than seven
+/// of them; no more than thirteen if every cut were to cross as many sides as there are.
+class Outline {
+public:
+    Outline() = default;
+    Outline(std::initializer_list<Place> places) {
+        for (const Place p : places) push_back(p);
+    }
+    void push_back(Place p) { places_[size_++] = p; }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    const Place& operator[](std::size_t i) const { return places_[i]; }
+    Place* begin() { return places_.data(); }
+    Place* end() { return places_.data() + size_; }
+
+private:
+    std::array<Place, 16> places_;
+    std::size_t size_ = 0;
+};
 
 /// What of a polygon lies where sign * (x or y) <= limit.
 Outline clipped(const Outline& outline, double Place::*axis, double sign, double limit) {
@@ -39,14 +57,15 @@ Place moved(Place p, unsigned corner, double by) {
 
 /// On which side of ab all of c's square is, wherever a and b are in theirs: 1, -1, or 0 if it is not.
 int side_for_all(Place a, Place b, Place c, double margin) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
+    int side = 0;
     for (unsigned i = 0; i < 64; ++i) {
         const double area =
-            area2(moved(a, i & 3, margin), moved(b, i >> 2 & 3, margin), moved(c, i >> 4, margin));
-        least = std::min(least, area);
-        most = std::max(most, area);
+            area2(moved(a, i >> 4, margin), moved(b, i >> 2 & 3, margin), moved(c, i & 3, margin));
+        const int here = area > 0 ? 1 : area < 0 ? -1 : 0;
+        if (here == 0 || (i > 0 && here != side)) return 0; // most are, and soon
+        side = here;
     }
-    return least > 0 ? 1 : most < 0 ? -1 : 0;
+    return side;
 }
 
 /// The barycentric weights of a point round the origin, as w_i = constant + by_x x + by_y y: the inverse of
@@ -141,7 +160,7 @@ std::array<double, 2> range_of(const Solid& solid) {
 bool meets_square(const Triangle<double>& triangle, Place centre, double half_side) {
     // What is clipped is an outline: a square wholly within would still be met, since clipping keeps its
     // corners.
-    return polygon_meets_square({triangle.begin(), triangle.end()}, centre, half_side);
+    return polygon_meets_square({triangle[0], triangle[1], triangle[2]}, centre, half_side);
 }
 bool segment_meets_square(Place a, Place b, Place centre, double half_side) {
     return polygon_meets_square({a, b}, centre, half_side);
