@@ -60,9 +60,10 @@ Bindings make_bindings(const std::shared_ptr<Context>& context, std::vector<std:
     return bindings;
 }
 
-void bind(Context& context, VkCommandBuffer commands, VkPipelineBindPoint point, const Bindings& bindings,
-          std::span<const VkBuffer> buffers, std::span<const std::byte> constants, VkShaderStageFlags stages,
-          const std::string& name) {
+void record_bindings(Context& context, VkCommandBuffer commands, VkPipelineBindPoint point,
+                     const Bindings& bindings, std::span<const VkBuffer> buffers,
+                     std::span<const std::byte> constants, VkShaderStageFlags stages,
+                     const std::string& name) {
     if (buffers.size() != bindings.numbers.size())
         throw Error("{} binds {} buffers, {} were given", name, bindings.numbers.size(), buffers.size());
     if (constants.size() != bindings.constant_bytes)

@@ -46,8 +46,8 @@ double Device::run(Kernel& kernel, std::initializer_list<const Buffer*> buffers,
     try {
         return submit(*context_, [&](VkCommandBuffer commands) {
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, impl.pipeline);
-            bind(*context_, commands, VK_PIPELINE_BIND_POINT_COMPUTE, impl.bindings, handles,
-                 dispatch.constants, VK_SHADER_STAGE_COMPUTE_BIT, impl.name);
+            record_bindings(*context_, commands, VK_PIPELINE_BIND_POINT_COMPUTE, impl.bindings, handles,
+                            dispatch.constants, VK_SHADER_STAGE_COMPUTE_BIT, impl.name);
             vkCmdDispatch(commands, groups[0], groups[1], groups[2]);
             full_barrier(commands);
         });

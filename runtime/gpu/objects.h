@@ -53,9 +53,10 @@ Bindings make_bindings(const std::shared_ptr<Context>& context, std::vector<std:
 
 /// Points the set at `buffers` and records binding it and the constants. Throws Error on a wrong number of
 /// either.
-void bind(Context& context, VkCommandBuffer commands, VkPipelineBindPoint point, const Bindings& bindings,
-          std::span<const VkBuffer> buffers, std::span<const std::byte> constants, VkShaderStageFlags stages,
-          const std::string& name);
+void record_bindings(Context& context, VkCommandBuffer commands, VkPipelineBindPoint point,
+                     const Bindings& bindings, std::span<const VkBuffer> buffers,
+                     std::span<const std::byte> constants, VkShaderStageFlags stages,
+                     const std::string& name);
 
 /// Everything written before is seen by everything after, the host included.
 void full_barrier(VkCommandBuffer commands);

@@ -238,8 +238,8 @@ double Device::draw(Raster& raster, std::initializer_list<const Target*> colours
                               VK_IMAGE_LAYOUT_UNDEFINED, drawing_layout(target->impl_->format));
             vkCmdBeginRendering(commands, &rendering);
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, impl.pipeline);
-            bind(*context_, commands, VK_PIPELINE_BIND_POINT_GRAPHICS, impl.bindings, handles, constants,
-                 impl.stages, impl.name);
+            record_bindings(*context_, commands, VK_PIPELINE_BIND_POINT_GRAPHICS, impl.bindings, handles,
+                            constants, impl.stages, impl.name);
             vkCmdSetViewport(commands, 0, 1, &viewport);
             vkCmdSetScissor(commands, 0, 1, &area);
             vkCmdDraw(commands, vertices, 1, 0, 0);
