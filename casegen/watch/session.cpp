@@ -1,58 +1,23 @@
 #include "casegen/watch/session.h"
 
 #include "casegen/fuzz/regression.h"
-#include "casegen/measure/quantiles.h"
-#include "casegen/watch/texts.h"
+#include "casegen/watch/clock.h"
+#include "casegen/watch/edits.h"
+#include "casegen/watch/timekeeper.h"
 #include "casegen/watch/workers.h"
 #include "runtime/error.h"
-#include "runtime/folder_watch.h"
 #include "runtime/process.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
-#include <cstring>
-#include <deque>
-#include <filesystem>
-#include <limits>
-#include <map>
-#include <set>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include <poll.h>
-
 namespace gnomon::watch {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Seconds.
-constexpr double quiet = 0.002; ///< after a change, until what belongs to it has come too
-constexpr double longest_settling = 0.05;
-constexpr double absence = 0.1;         ///< a file that is gone for so long is gone: editors rename
-constexpr double overdue = 0.5;         ///< a worker that is busy with an outdated state for so long is ended
-constexpr double stealing = 0.25;       ///< so long a kernel waits for its own worker
-constexpr double first_patience = 300;  ///< truths may have to be computed
-constexpr double compile_patience = 20; ///< besides what dispatches may take
-
-constexpr unsigned timed_rounds = 12;
-
-double seconds_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// Waits for one of the descriptors (negative ones are passed over), or so many seconds.
-void wait_for(std::vector<pollfd>& polled, double seconds) {
-    const int milliseconds = seconds > 1e5 ? -1 : static_cast<int>(std::max(seconds, 0.0) * 1000 + 0.999);
-    if (::poll(polled.data(), polled.size(), milliseconds) < 0) {
-        if (errno != EINTR) throw Error("waiting for changes failed: {}", std::strerror(errno));
-        for (pollfd& entry : polled) entry.revents = 0;
-    }
-}
 
 /// A kernel, and what is known of it.
 struct Watched {
@@ -76,29 +41,17 @@ struct Worker {
     double sent = 0;
 };
 
-/// A kernel whose time is to be taken, or being taken.
-struct Timing {
-    std::size_t kernel = 0, edit = 0;
-    TimeRequest request;
-    bool begun = false, outdated = false;
-    double sent = 0;
-    measure::PairedTimes times;
-    std::vector<double> reading;
-    bool same_results = true;
-};
-
 class Session {
 public:
     Session(std::span<const Case* const> cases, const SessionOptions& options,
             const std::function<void(const Event&)>& tell)
         : options_(options), tell_(tell),
-          folder_(options.check.kernels,
-                  options.poll ? FolderWatch::How::polling : FolderWatch::How::inotify_if_possible),
-          texts_(options.check.kernels) {
+          edits_(options.check.kernels,
+                 options.poll ? FolderWatch::How::polling : FolderWatch::How::inotify_if_possible) {
         shared_.cases.assign(cases.begin(), cases.end());
         shared_.options = options.check;
         shared_.options.device.isolated = false; // a process each
-        shared_.folder = texts_.name();
+        shared_.folder = edits_.texts().name();
         shared_.replay = options.replay;
         for (const Case* c : cases) shared_.regressions[c->name];
         for (const auto& [name, all] : fuzz::load_regressions(options.check.regressions))
@@ -118,11 +71,11 @@ public:
             Worker worker{start_judge(shared_), {}, {}, 0};
             workers_.push_back(std::move(worker));
         }
-        if (options_.times) stopwatch_.emplace(start_stopwatch(shared_));
-        tell_(Began{kernels_.size(), static_cast<unsigned>(jobs), folder_.must_poll()});
+        if (options_.times) times_.emplace(shared_, tell_);
+        tell_(Began{kernels_.size(), static_cast<unsigned>(jobs), edits_.polls()});
         edit_since_ = seconds_now();
         for (Watched& watched : kernels_) {
-            watched.now = texts_.of(*watched.kernel);
+            watched.now = edits_.texts().of(*watched.kernel);
             enqueue(watched, edit_since_);
         }
         for (;;) {
@@ -150,66 +103,28 @@ private:
         tell_judgement(watched, std::move(judgement), watched.now);
     }
 
-    /// Reads what changed, and finds the kernels whose text is another now.
+    /// Finds the kernels whose text is another now.
     void take_changes() {
         const double since = seconds_now();
-        std::set<std::string> touched;
-        bool all = false;
-        for (double now = since; now < since + longest_settling; now = seconds_now()) {
-            const FolderChanges changes = folder_.changes();
-            for (const std::string& file : changes.files) {
-                std::error_code error;
-                if (std::filesystem::is_regular_file(options_.check.kernels / file, error)) {
-                    gone_.erase(file);
-                    touched.insert(file);
-                } else {
-                    gone_.try_emplace(file, since);
-                }
-            }
-            if (changes.all && all_since_ == infinity) all_since_ = since;
-            if (changes.empty() || folder_.must_poll()) break;
-            std::vector<pollfd> polled{{folder_.descriptor(), POLLIN, 0}};
-            wait_for(polled, quiet);
-            if (polled[0].revents == 0) break;
-        }
-        if (since >= all_since_ + absence) {
-            all = true;
-            all_since_ = infinity;
-            gone_.clear();
-            texts_.read_all();
-        }
-        for (auto entry = gone_.begin(); entry != gone_.end();) {
-            if (since >= entry->second + absence) {
-                touched.insert(entry->first);
-                entry = gone_.erase(entry);
-            } else {
-                ++entry;
-            }
-        }
-        if (!all)
-            for (const std::string& file : touched) texts_.read(file);
-        if (all || !touched.empty()) look_at_kernels(all, touched, since);
-    }
-
-    void look_at_kernels(bool all, const std::set<std::string>& touched, double since) {
+        const Touched touched = edits_.take();
+        if (touched.empty()) return;
         const auto concerns = [&](const Texts& texts) {
-            return all || !texts.error.empty() || std::ranges::any_of(touched, [&](const std::string& file) {
-                       return texts.files.contains(file);
-                   });
+            return touched.all || !texts.error.empty() ||
+                   std::ranges::any_of(touched.files,
+                                       [&](const std::string& file) { return texts.files.contains(file); });
         };
         bool first = true;
         for (std::size_t k = 0; k < kernels_.size(); ++k) {
             Watched& watched = kernels_[k];
             if (!concerns(watched.now)) continue;
-            Texts texts = texts_.of(*watched.kernel);
+            Texts texts = edits_.texts().of(*watched.kernel);
             if (texts.alone == watched.now.alone && texts.error == watched.now.error) continue;
             if (std::exchange(first, false)) {
                 ++edit_;
                 edit_since_ = since;
             }
             watched.now = std::move(texts);
-            std::erase_if(timings_, [&](const Timing& timing) { return timing.kernel == k; });
-            if (timing_ && timing_->kernel == k) timing_->outdated = true;
+            if (times_) times_->forget(k);
             enqueue(watched, since);
         }
     }
@@ -258,7 +173,7 @@ private:
             request.before = watched.ran.alone;
             worker.child.send(format(request));
         }
-        if (stopwatch_ && !timing_ && !timings_.empty() && !judging()) begin_timing();
+        if (times_ && !judging()) times_->begin();
     }
 
     bool judging() const {
@@ -367,107 +282,20 @@ private:
         }
     }
 
-    // --- Times
-
     void want_time(const Watched& watched, const Texts& after, const Judgement& judgement) {
-        if (!stopwatch_ || watched.edit == 0) return;
-        Timing timing;
-        timing.kernel = static_cast<std::size_t>(&watched - kernels_.data());
-        timing.edit = watched.edit;
-        timing.request.kernel = timing.kernel;
-        timing.request.before = watched.ran.repeated;
-        timing.request.after = after.repeated;
-        timing.request.alone = after.alone;
-        timing.request.results = judgement.results;
-        timings_.push_back(std::move(timing));
-    }
-
-    void begin_timing() {
-        timing_ = std::move(timings_.front());
-        timings_.pop_front();
-        timing_->sent = seconds_now();
-        stopwatch_->send(format(timing_->request));
-    }
-
-    void hear_stopwatch() {
-        const Answer answer = stopwatch_->receive(absence);
-        if (answer.kind == Answer::Kind::late) return;
-        if (answer.kind == Answer::Kind::error) throw Error("{}", answer.text);
-        if (answer.kind == Answer::Kind::death) {
-            stopwatch_ = start_stopwatch(shared_);
-            end_timing("the process that timed it died: " + answer.text);
-            return;
-        }
-        const Times times = parse_times(answer.text);
-        if (times.device_lost) stopwatch_ = start_stopwatch(shared_);
-        if (!timing_) return;
-        if (!times.cannot.empty() || timing_->outdated) {
-            end_timing(times.cannot);
-            return;
-        }
-        if (!timing_->begun) {
-            timing_->begun = true;
-            timing_->same_results = times.same_results;
-        } else {
-            timing_->times.a.push_back(times.before);
-            timing_->times.b.push_back(times.after);
-            timing_->times.again.push_back(times.again);
-            timing_->reading.push_back(times.floor);
-        }
-        const std::size_t rounds = timing_->times.a.size();
-        if (rounds == timed_rounds) {
-            try {
-                tell_times();
-                timing_.reset();
-            } catch (const Error& error) {
-                end_timing(error.what());
-            }
-            return;
-        }
+        if (!times_ || watched.edit == 0) return;
         TimeRequest request;
-        request.what = TimeRequest::What::round;
-        request.kernel = timing_->kernel;
-        request.round = static_cast<unsigned>(rounds);
-        timing_->sent = seconds_now();
-        stopwatch_->send(format(request));
-    }
-
-    /// Throws Error if the device's clock stood still.
-    void tell_times() {
-        measure::PairedTimes& times = timing_->times;
-        const auto median = [](std::vector<double> values) {
-            std::ranges::sort(values);
-            return measure::quantile(values, 0.5);
-        };
-        Timed told;
-        told.kernel = kernels_[timing_->kernel].kernel;
-        told.edit = timing_->edit;
-        told.before = median(times.a);
-        told.after = median(times.b);
-        told.reading = median(timing_->reading);
-        times.floor = told.reading;
-        told.pace = measure::judge_times(times);
-        told.with_reading = told.pace.with_floor;
-        told.same_results = timing_->same_results;
-        tell_(told);
-    }
-
-    void end_timing(const std::string& why) {
-        if (timing_ && !timing_->outdated) {
-            NotTimed told;
-            told.kernel = kernels_[timing_->kernel].kernel;
-            told.edit = timing_->edit;
-            told.why = why;
-            tell_(told);
-        }
-        timing_.reset();
+        request.kernel = static_cast<std::size_t>(&watched - kernels_.data());
+        request.before = watched.ran.repeated;
+        request.after = after.repeated;
+        request.alone = after.alone;
+        request.results = judgement.results;
+        times_->want(watched.edit, std::move(request));
     }
 
     // --- Waiting
 
-    bool is_idle() const {
-        return !judging() && !timing_ && timings_.empty() && gone_.empty() && all_since_ == infinity;
-    }
+    bool is_idle() const { return !judging() && (!times_ || times_->is_idle()) && !edits_.waits(); }
 
     void settle_if_done() {
         if (judged_ + same_ == 0 || judging()) return;
@@ -482,9 +310,8 @@ private:
     }
 
     double next_deadline(double now) const {
-        double deadline = folder_.must_poll() ? now + FolderWatch::poll_seconds : infinity;
-        for (const auto& [file, since] : gone_) deadline = std::min(deadline, since + absence);
-        deadline = std::min(deadline, all_since_ + absence);
+        double deadline = edits_.deadline(now);
+        if (times_) deadline = std::min(deadline, times_->deadline());
         for (const Worker& worker : workers_)
             if (worker.kernel) {
                 deadline = std::min(deadline, worker.sent + patience(worker));
@@ -493,49 +320,38 @@ private:
                 if (now - worker.sent < stealing)
                     deadline = std::min(deadline, worker.sent + stealing + quiet);
             }
-        if (timing_) deadline = std::min(deadline, timing_->sent + time_patience());
         return deadline;
     }
-
-    double time_patience() const { return 2 * compile_patience + 16 * options_.check.device.time_limit; }
 
     /// Until something has happened; true if it is that the session is to end.
     bool wait() {
         double now = seconds_now();
-        std::vector<pollfd> polled{{options_.stop, POLLIN, 0}, {folder_.descriptor(), POLLIN, 0}};
+        std::vector<pollfd> polled{{options_.stop, POLLIN, 0}, {edits_.descriptor(), POLLIN, 0}};
         for (const Worker& worker : workers_) polled.push_back({worker.child.descriptor(), POLLIN, 0});
-        polled.push_back({stopwatch_ ? stopwatch_->descriptor() : -1, POLLIN, 0});
+        polled.push_back({times_ ? times_->descriptor() : -1, POLLIN, 0});
         wait_for(polled, next_deadline(now) - now);
         if (polled[0].revents != 0) return true;
         now = seconds_now();
-        if (polled[1].revents != 0 || folder_.must_poll() || !gone_.empty() || all_since_ < infinity)
-            take_changes();
+        if (polled[1].revents != 0 || edits_.is_due()) take_changes();
         for (std::size_t i = 0; i < workers_.size(); ++i)
             if (polled[2 + i].revents != 0)
                 hear(workers_[i]);
             else
                 end_if_overdue(workers_[i], now);
-        if (polled.back().revents != 0) {
-            hear_stopwatch();
-        } else if (timing_ && now - timing_->sent > time_patience()) {
-            stopwatch_ = start_stopwatch(shared_);
-            end_timing(fmt::format("not timed within {:.0f} s", time_patience()));
-        }
+        if (polled.back().revents != 0)
+            times_->hear();
+        else if (times_)
+            times_->end_if_overdue(now);
         return false;
     }
 
     SessionOptions options_;
     const std::function<void(const Event&)>& tell_;
     Shared shared_;
-    FolderWatch folder_; // before the texts: what changes while they are read is told afterwards
-    FolderTexts texts_;
+    Edits edits_;
     std::vector<Watched> kernels_;
     std::vector<Worker> workers_;
-    std::optional<Child> stopwatch_;
-    std::deque<Timing> timings_;
-    std::optional<Timing> timing_;
-    std::map<std::string, double> gone_; ///< files that are no more, since when
-    double all_since_ = infinity;        ///< since when anything may have changed
+    std::optional<Timekeeper> times_;
     std::size_t edit_ = 0, judged_ = 0, same_ = 0;
     double edit_since_ = 0;
 };
