@@ -29,29 +29,38 @@ double error_of(const Tolerance& tolerance, double got, double want, Scalar scal
     return difference;
 }
 
-/// The smallest of a few distances d at which the reference gives `got` for some input whose float components
-/// are moved by -d, 0 or +d; infinity if it does so nowhere.
+/// Does the reference give `got` for some input whose float components (words `moved`) are moved by -d, 0 or
+/// +d?
+bool gives_near(const Case& c, const Arguments& arguments, const Numbers& got,
+                std::span<const std::size_t> moved, double distance) {
+    std::size_t combinations = 1;
+    for (std::size_t i = 0; i < moved.size(); ++i) combinations *= 3;
+    for (std::size_t n = 1; n < combinations; ++n) {
+        Arguments near = arguments;
+        std::size_t rest = n;
+        for (const std::size_t w : moved) {
+            near.numbers[w] += distance * (rest % 3 == 1 ? -1 : rest % 3 == 2 ? 1 : 0);
+            rest /= 3;
+        }
+        const Numbers want = c.reference.call(near);
+        if (std::equal(want.begin(), want.begin() + c.reference.result.components, got.begin())) return true;
+    }
+    return false;
+}
+
+/// About how far the input must be moved for the reference to give `got`: one of a few fractions of
+/// `farthest`; infinity if neither that nor half of it is enough. The largest comes first: a straight border
+/// that crosses the box of inputs has one of its corners on either side, so that most wrong results need no
+/// more than one look.
 double input_distance(const Case& c, const Arguments& arguments, const Numbers& got, double farthest) {
     std::vector<std::size_t> moved;
     for (std::size_t i = 0; i < c.reference.words.size(); ++i)
         if (c.reference.words[i] == Scalar::float32) moved.push_back(i);
-    std::size_t combinations = 1;
-    for (std::size_t i = 0; i < moved.size(); ++i) combinations *= 3;
-    for (const double fraction : {0.125, 0.25, 0.5, 1.0}) {
-        const double distance = fraction * farthest;
-        for (std::size_t n = 1; n < combinations; ++n) {
-            Arguments near = arguments;
-            std::size_t rest = n;
-            for (const std::size_t w : moved) {
-                near.numbers[w] += distance * (rest % 3 == 1 ? -1 : rest % 3 == 2 ? 1 : 0);
-                rest /= 3;
-            }
-            const Numbers want = c.reference.call(near);
-            if (std::equal(want.begin(), want.begin() + c.reference.result.components, got.begin()))
-                return distance;
-        }
-    }
-    return infinity;
+    const auto gives = [&](double distance) { return gives_near(c, arguments, got, moved, distance); };
+    if (!gives(farthest) && !gives(0.5 * farthest)) return infinity;
+    for (const double fraction : {0.125, 0.25, 0.5})
+        if (gives(fraction * farthest)) return fraction * farthest;
+    return farthest;
 }
 
 } // namespace
