@@ -34,16 +34,6 @@ std::set<std::string> functions_of(const glsl::Sources& sources, const Technique
     return names;
 }
 
-/// Where the words of the parameter that says the texel begin; the number of words if there is none.
-std::size_t texel_word(const Case& c) {
-    std::size_t word = 0;
-    for (std::size_t i = 0; i < c.parameters.size(); ++i) {
-        if (c.parameters[i].name == "texel") return word;
-        word += static_cast<std::size_t>(c.reference.parameters[i].components);
-    }
-    return word;
-}
-
 /// No walk leaves the window, so it does not matter what lies beyond.
 std::shared_ptr<const Mask> window_of(const Capture& capture) {
     constexpr int side = 2 * Capture::radius + 1;

@@ -150,6 +150,15 @@ std::string leading_comment(const std::string& text) {
     return comment;
 }
 
+std::size_t texel_word(const Case& c) {
+    std::size_t word = 0;
+    for (std::size_t i = 0; i < c.parameters.size(); ++i) {
+        if (c.parameters[i].name == "texel") return word;
+        word += static_cast<std::size_t>(c.reference.parameters[i].components);
+    }
+    return word;
+}
+
 std::vector<std::string> columns(const Case& c) {
     std::vector<std::string> names;
     if (c.reference.takes_mask) names = {"mask", "outside"};

@@ -205,6 +205,9 @@ std::string leading_comment(const std::string& text);
 /// The words of a record without the mask's.
 inline std::size_t word_count(const Case& c) { return c.reference.words.size(); }
 
+/// Where the words of the parameter `texel` begin; the number of words if there is none.
+std::size_t texel_word(const Case& c);
+
 /// Column names of a CSV file: `mask`, `outside` if the kernel takes a mask, then `along_x`, `p_x`, `p_y`, …
 std::vector<std::string> columns(const Case& c);
 

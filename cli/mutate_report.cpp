@@ -1,6 +1,6 @@
 #include "cli/mutate_report.h"
 
-#include "casegen/atlas/html.h"
+#include "cli/junit.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -115,30 +115,20 @@ std::string mutate_json(const mutate::CampaignReport& report) {
 }
 
 std::string mutate_junit(const mutate::CampaignReport& report, const glsl::Sources& sources) {
-    std::string cases;
-    std::size_t failures = 0;
-    const auto add = [&](const std::string& name, const std::string& failure) {
-        cases += fmt::format("  <testcase classname=\"mutate\" name=\"{}\"", atlas::escape_html(name));
-        if (failure.empty()) {
-            cases += "/>\n";
-            return;
-        }
-        ++failures;
-        cases += fmt::format(">\n    <failure message=\"mutants survive\">{}</failure>\n  </testcase>\n",
-                             atlas::escape_html(failure));
-    };
+    std::vector<JunitCase> cases;
     for (const KernelCount& count : report.kernels) {
-        std::string failure;
+        JunitCase one{"mutate", count.kernel->name, 0, {}, {}};
         for (const std::size_t i : count.mutants)
             if (report.mutants[i].fate == Fate::survived)
-                failure += survivor_text(report.mutants[i], sources, {});
-        add(count.kernel->name, failure);
+                one.text += survivor_text(report.mutants[i], sources, {});
+        if (!one.text.empty()) one.failure = "mutants survive";
+        cases.push_back(std::move(one));
     }
-    add("the list of equivalent mutants", fmt::format("{}", fmt::join(report.complaints, "\n")));
-    return fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"gnomon mutate\" tests=\"{}\" "
-        "failures=\"{}\">\n{}</testsuite>\n",
-        report.kernels.size() + 1, failures, cases);
+    JunitCase listed{"mutate", "the list of equivalent mutants", 0, {}, {}};
+    listed.text = fmt::format("{}", fmt::join(report.complaints, "\n"));
+    if (!report.complaints.empty()) listed.failure = "it says what is not so";
+    cases.push_back(std::move(listed));
+    return junit_xml("gnomon mutate", cases);
 }
 
 std::string mutant_text(const MutantReport& report, const glsl::Sources& sources) {

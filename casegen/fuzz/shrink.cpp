@@ -80,16 +80,6 @@ std::vector<Word> words_of(const Case& c) {
     return words;
 }
 
-/// The first word of the parameter `texel`; none: the number of words.
-std::size_t texel_word(const Case& c) {
-    std::size_t word = 0;
-    for (std::size_t i = 0; i < c.parameters.size(); ++i) {
-        if (c.parameters[i].name == "texel") return word;
-        word += static_cast<std::size_t>(c.reference.parameters[i].components);
-    }
-    return word;
-}
-
 /// The part of a mask from (x, y) on, with the texel that is asked about where it was in the picture.
 Input cropped(const Case& c, const Input& input, int x, int y, int width, int height) {
     Input result = input;
