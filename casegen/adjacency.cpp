@@ -1,6 +1,7 @@
 // The table of kernels/adjacency: what is left of a triangle between lit and shadowed neighbours.
 #include "casegen/catalogue.h"
 #include "casegen/hybrid/triangles.h"
+#include "casegen/reference/hybrid/remains.h"
 #include "casegen/reference/hybrid/truth.h"
 
 #include <cfloat>
@@ -49,9 +50,10 @@ Truth shrunken(const Arguments& arguments) {
     return truth::shrunken(arguments, asked.away, asked.cut, asked.corner);
 }
 template <Ask ask>
-bool keeps_order(const Arguments& arguments) {
+bool is_clear(const Arguments& arguments) {
     const Asked asked = ask(arguments);
-    return truth::keeps_order(truth::triangle_of(arguments), arguments.numbers[6], asked.away, asked.cut);
+    return truth::remains(truth::triangle_of(arguments), arguments.numbers[6], asked.away, asked.cut)
+        .is_clear;
 }
 
 /// By exact signs: which of three triangles around one are wound as it is.
@@ -115,8 +117,9 @@ Family adjacency_family() {
                 .parameters = parameters({emitted(2)}),
                 .result = vertex,
                 .tolerance = tolerance,
-                .where = keeps_order<none>,
-                .generator = hybrid::triangles("adjacency/shadowed_0", {.distance = 6, .counts = {{7, 2}}}),
+                .where = is_clear<none>,
+                .generator =
+                    hybrid::shrunken_triangles("adjacency/shadowed_0", {.distance = 6, .counts = {{7, 2}}}),
                 .rule = rule,
             },
             {
@@ -126,10 +129,10 @@ Family adjacency_family() {
                 .parameters = parameters({away({{1}, {2}, {4}}), emitted(2)}),
                 .result = vertex,
                 .tolerance = tolerance,
-                .where = keeps_order<some>,
-                .generator =
-                    hybrid::triangles("adjacency/shadowed_1",
-                                      {.distance = 6, .counts = {{7, 7}, {8, 2}}, .choices_away = {1, 2, 4}}),
+                .where = is_clear<some>,
+                .generator = hybrid::shrunken_triangles(
+                    "adjacency/shadowed_1",
+                    {.distance = 6, .counts = {{7, 7}, {8, 2}}, .choices_away = {1, 2, 4}}),
                 .rule = rule,
             },
             {
@@ -139,10 +142,10 @@ Family adjacency_family() {
                 .parameters = parameters({away({{3}, {5}, {6}}), emitted(5)}),
                 .result = vertex,
                 .tolerance = tolerance,
-                .where = keeps_order<some>,
-                .generator =
-                    hybrid::triangles("adjacency/shadowed_2",
-                                      {.distance = 6, .counts = {{7, 7}, {8, 5}}, .choices_away = {3, 5, 6}}),
+                .where = is_clear<some>,
+                .generator = hybrid::shrunken_triangles(
+                    "adjacency/shadowed_2",
+                    {.distance = 6, .counts = {{7, 7}, {8, 5}}, .choices_away = {3, 5, 6}}),
                 .rule = rule,
             },
             {
@@ -152,8 +155,9 @@ Family adjacency_family() {
                 .parameters = parameters({emitted(11)}),
                 .result = vertex,
                 .tolerance = tolerance,
-                .where = keeps_order<all>,
-                .generator = hybrid::triangles("adjacency/shadowed_3", {.distance = 6, .counts = {{7, 11}}}),
+                .where = is_clear<all>,
+                .generator =
+                    hybrid::shrunken_triangles("adjacency/shadowed_3", {.distance = 6, .counts = {{7, 11}}}),
                 .rule = rule,
             },
             {
@@ -163,9 +167,9 @@ Family adjacency_family() {
                 .parameters = parameters({away({}), emitted(11)}),
                 .result = vertex,
                 .tolerance = tolerance,
-                .where = keeps_order<some>,
-                .generator =
-                    hybrid::triangles("adjacency/shrunken", {.distance = 6, .counts = {{7, 7}, {8, 11}}}),
+                .where = is_clear<some>,
+                .generator = hybrid::shrunken_triangles("adjacency/shrunken",
+                                                        {.distance = 6, .counts = {{7, 7}, {8, 11}}}),
                 .rule = rule,
             },
             {
@@ -178,9 +182,9 @@ Family adjacency_family() {
                      emitted(11)}),
                 .result = vertex,
                 .tolerance = tolerance,
-                .where = keeps_order<ring>,
-                .generator = hybrid::triangles("adjacency/one_ring",
-                                               {.distance = 6, .counts = {{7, 7}, {8, 7}, {9, 11}}}),
+                .where = is_clear<ring>,
+                .generator = hybrid::shrunken_triangles("adjacency/one_ring",
+                                                        {.distance = 6, .counts = {{7, 7}, {8, 7}, {9, 11}}}),
                 .rule = rule,
             },
         }};

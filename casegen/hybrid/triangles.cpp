@@ -1,6 +1,7 @@
 #include "casegen/hybrid/triangles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gnomon::hybrid {
@@ -31,6 +32,17 @@ double radius(std::span<const double> numbers, const Layout& layout) {
     const double area = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
     const double around = length(a, b) + length(b, c) + length(c, a);
     return around > 0 ? area / around : 0;
+}
+
+/// Twice the area over an edge's length.
+std::array<double, 3> heights(std::span<const double> numbers, const Layout& layout) {
+    std::array<Corner, 3> at;
+    for (std::size_t i = 0; i < 3; ++i) at[i] = corner(numbers, layout, i);
+    double around = 0;
+    std::array<double, 3> lengths;
+    for (std::size_t i = 0; i < 3; ++i) around += lengths[i] = length(at[i], at[(i + 1) % 3]);
+    for (double& each : lengths) each = each > 0 ? radius(numbers, layout) * around / each : 0;
+    return lengths;
 }
 
 void draw(Random& random, std::span<double> numbers, const Layout& layout) {
@@ -95,6 +107,47 @@ std::shared_ptr<const Generator> triangles(const char* name, const Layout& layou
                                            radius(numbers, layout) *
                                            (random.chance(0.5) ? 1 + distance : 1 - distance);
                                    }});
+    return generator;
+}
+
+std::shared_ptr<const Generator> shrunken_triangles(const char* name, const Layout& layout) {
+    auto generator = std::make_shared<Generator>(*triangles(name, layout));
+    const auto at = static_cast<std::size_t>(layout.distance);
+    // An edge is lost where the cuts, or edges that move in, at both its ends use it up: each uses lambda
+    // over the sine there, which is lambda / height of the edge's length.
+    const auto lost = [](double one_height, double other_height) {
+        const double sum = one_height + other_height;
+        return sum > 0 ? one_height * other_height / sum : 0;
+    };
+    generator->draw = [layout, at, lost](Random& random, std::span<double> numbers) {
+        draw(random, numbers, layout);
+        if (random.chance(0.5)) return;
+        const std::array<double, 3> h = heights(numbers, layout);
+        const double r = radius(numbers, layout);
+        std::array<double, 10> changes{
+            0, r, 2 * r, lost(h[0], h[1]), lost(h[1], h[2]), lost(h[2], h[0]), h[0], h[1], h[2], 0};
+        changes[9] = 1.25 * *std::max_element(changes.begin(), changes.end());
+        std::sort(changes.begin(), changes.end());
+        const std::size_t i = random.below(9);
+        numbers[at] = within(changes[i] + random.unit() * (changes[i + 1] - changes[i]));
+    };
+    const auto add = [&](const char* what, auto distance_of) {
+        generator->loci.push_back(
+            {what, "lambda",
+             [layout, at, distance_of](Random& random, double distance, std::span<double> numbers) {
+                 const double of = distance_of(random, heights(numbers, layout));
+                 numbers[at] = within(of * (random.chance(0.5) ? 1 + distance : 1 - distance));
+             }});
+    };
+    add("lambda where an edge is lost", [lost](Random& random, const std::array<double, 3>& h) {
+        const std::size_t i = random.below(3);
+        return lost(h[i], h[(i + 1) % 3]);
+    });
+    add("lambda as a height",
+        [](Random& random, const std::array<double, 3>& h) { return h[random.below(3)]; });
+    add("lambda as the inscribed diameter", [](Random&, const std::array<double, 3>& h) {
+        return h[0] > 0 ? 2 / (1 / h[0] + 1 / h[1] + 1 / h[2]) : 0;
+    });
     return generator;
 }
 

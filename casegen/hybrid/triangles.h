@@ -25,4 +25,8 @@ struct Layout {
 /// `name` is the seed too.
 std::shared_ptr<const Generator> triangles(const char* name, const Layout& layout);
 
+/// The same for what is left between lit and shadowed neighbours, with as many distances from each interval
+/// between those at which edges are lost, cuts meet or nothing is left.
+std::shared_ptr<const Generator> shrunken_triangles(const char* name, const Layout& layout);
+
 } // namespace gnomon::hybrid

@@ -67,9 +67,10 @@ struct Trial {
     }
 };
 
-/// As the table's generator draws them: every fourth near a locus.
-inline std::vector<Trial> trials(std::uint64_t seed, std::size_t count) {
-    const auto generator = hybrid::triangles("trials", {.distance = 6});
+/// As a table's generator draws them: every fourth near a locus.
+inline std::vector<Trial>
+trials(std::uint64_t seed, std::size_t count,
+       const std::shared_ptr<const Generator>& generator = hybrid::triangles("trials", {.distance = 6})) {
     std::vector<Trial> drawn;
     for (std::size_t i = 0; i < count; ++i) {
         Random random(seed, i);

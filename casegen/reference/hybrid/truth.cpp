@@ -1,6 +1,7 @@
 #include "casegen/reference/hybrid/truth.h"
 
 #include "casegen/reference/hybrid/number.h"
+#include "casegen/reference/hybrid/remains.h"
 
 #include <vector>
 
@@ -82,29 +83,6 @@ std::array<T, 2> depth_range(const Sixteen<T>& n) {
     return {least(n[2], least(n[5], n[8])), most(n[2], most(n[5], n[8]))};
 }
 bool is_edge_on(const Arguments& arguments) { return least_sine(triangle_of(arguments, 0, 3)) < parallel; }
-
-/// The polygon's corners, in the order of the kernels: beginning behind v0.
-template <typename T>
-std::vector<Point<T>> corners(const Triangle<T>& triangle, const T& lambda, unsigned away, unsigned cut) {
-    std::array<Line<T>, 3> old, in, edges; // in: all moved; edges: those of them that are lit
-    for (std::size_t i = 0; i < 3; ++i) {
-        old[i] = edge(triangle, i, T(0));
-        in[i] = edge(triangle, i, lambda);
-        edges[i] = (away >> i & 1) != 0 ? old[i] : in[i];
-    }
-    std::vector<Point<T>> found;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t before = (i + 2) % 3;
-        if ((cut >> i & 1) == 0) {
-            found.push_back(meet(edges[before], edges[i]));
-            continue;
-        }
-        if (i != 0) found.push_back(meet(old[before], in[i]));
-        found.push_back(meet(old[i], in[before]));
-    }
-    if ((cut & 1) != 0) found.push_back(meet(old[2], in[0]));
-    return found;
-}
 
 } // namespace
 
@@ -214,39 +192,18 @@ unsigned between(unsigned away) {
     return corners;
 }
 
-bool keeps_order(const Triangle<double>& triangle, double lambda, unsigned away, unsigned cut) {
-    const double sine = least_sine(triangle);
-    if (!is_broad(sine) || !(lambda >= 0) || (lambda == 0 && cut != 0)) return false;
-    const double margin = 0x1p-18 / sine; // kernels' heights and distances are good to 2^-21 / sine
-    const double area = std::abs(area2(triangle[0], triangle[1], triangle[2]));
-    std::array<double, 3> lengths, sines; // of edges and of corners
-    for (std::size_t i = 0; i < 3; ++i) lengths[i] = length(triangle[i], triangle[(i + 1) % 3]);
-    double moved_in = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        sines[i] = area / (lengths[i] * lengths[(i + 2) % 3]);
-        if ((away >> i & 1) == 0) moved_in += lambda * lengths[i] / area; // lambda / height
-    }
-    if (!(moved_in < 1 - margin)) return false;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if ((away >> i & 1) == 0) continue;
-        const std::size_t from = i, to = (i + 1) % 3, before = (i + 2) % 3;
-        double used = 0; // of edge i, at both ends: where the corner is cut or its other edge moves in
-        if ((cut >> from & 1) != 0 || (away >> before & 1) == 0) used += lambda / sines[from];
-        if ((cut >> to & 1) != 0 || (away >> to & 1) == 0) used += lambda / sines[to];
-        if (!(used < lengths[i] * (1 - margin))) return false;
-    }
-    return true;
-}
-
-Truth shrunken(const Arguments& arguments, unsigned away, unsigned cut, unsigned corner) {
+Truth shrunken(const Arguments& arguments, unsigned away, unsigned cut, unsigned emitted) {
+    const std::vector<RemainsCorner> corners =
+        remains(triangle_of(arguments), arguments.numbers[6], away, cut).corners;
+    const std::size_t fan = emitted / 3, vertex = emitted % 3;
+    const std::size_t index = fan + 2 >= corners.size() ? corners.size() - 1 : vertex == 0 ? 0 : fan + vertex;
     return truth_of(arguments, of_triangle_and_distance(arguments), [&](const auto& n) {
         using T = std::decay_t<decltype(n[0])>;
-        const std::vector<Point<T>> polygon = corners<T>(triangle_in(n), n[6], away, cut);
-        const std::size_t triangle = corner / 3, vertex = corner % 3;
-        const std::size_t index = triangle + 2 >= polygon.size() ? polygon.size() - 1
-                                  : vertex == 0                  ? 0
-                                                                 : triangle + vertex;
-        return std::array{polygon[index].x, polygon[index].y};
+        const Triangle<T> triangle = triangle_in(n);
+        if (corners.empty()) return std::array{triangle[0].x, triangle[0].y};
+        const Point<T> corner = meet(remains_line(triangle, n[6], away, corners[index].before),
+                                     remains_line(triangle, n[6], away, corners[index].behind));
+        return std::array{corner.x, corner.y};
     });
 }
 

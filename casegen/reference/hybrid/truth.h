@@ -29,11 +29,10 @@ Truth tight_offset(const Arguments& normal_texel);
 Truth depth_at(const Arguments& a_b_c_p);
 Truth depth_bounds(const Arguments& a_b_c_p_half_texel);
 
-/// What is left between lit and shadowed neighbours, where the thesis's points keep their order along the
-/// edges (`keeps_order`): the fan of a polygon whose corners are the thesis's, each from its two lines.
-/// `away` and `cut` as in kernels/adjacency/polygon.glslh.
-Truth shrunken(const Arguments& v0_v2_v4_lambda, unsigned away, unsigned cut, unsigned corner);
-bool keeps_order(const Triangle<double>& triangle, double lambda, unsigned away, unsigned cut);
+/// A vertex of the fan that covers what is left between lit and shadowed neighbours (remains.h), from its
+/// first corner on; behind the last triangle the last corner, v0 if nothing is left. Only where `remains` is
+/// clear.
+Truth shrunken(const Arguments& v0_v2_v4_lambda, unsigned away, unsigned cut, unsigned emitted);
 /// The corners between two edges that stay.
 unsigned between(unsigned away);
 unsigned bit_count(unsigned bits);
