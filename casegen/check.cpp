@@ -186,6 +186,15 @@ std::string format_result(const Case& c, const Numbers& numbers) {
     return format_result(c, words);
 }
 
+std::string format_want(const Case& c, const Arguments& arguments) {
+    if (in_domain(c, arguments)) return format_result(c, c.reference.call(arguments));
+    const auto rule =
+        c.outside ? c.outside(std::span(arguments.numbers).first(c.reference.words.size())) : std::nullopt;
+    if (!rule) return fmt::format("anything from {:g} to {:g}", c.result.lower, c.result.upper);
+    if (rule->lower == rule->upper) return format_result(c, rule->lower);
+    return fmt::format("{} to {}", format_result(c, rule->lower), format_result(c, rule->upper));
+}
+
 std::string format_call(const Case& c, std::span<const std::uint32_t> input, const Mask* mask) {
     std::vector<std::string> parts;
     std::size_t word = 0;
@@ -221,11 +230,10 @@ std::vector<std::string> explain_failure(const CheckReport& report, const std::s
     if (report.worst && report.verdict != Verdict::stray_write && report.verdict != Verdict::unstable) {
         const Finding& f = *report.worst;
         lines.push_back(format_call(c, f.input, f.mask ? &*f.mask : nullptr));
-        const std::string want = f.in_domain
-                                     ? format_result(c, f.want)
-                                     : fmt::format("anything from {:g} to {:g} (input outside the domain)",
-                                                   c.result.lower, c.result.upper);
-        const bool exactly = f.in_domain && exact_at(c, arguments(c, f.input, f.mask ? &*f.mask : nullptr));
+        const Arguments with = arguments(c, f.input, f.mask ? &*f.mask : nullptr);
+        const std::string want =
+            f.in_domain ? format_result(c, f.want) : format_want(c, with) + " (input outside the domain)";
+        const bool exactly = f.in_domain && exact_at(c, with);
         lines.push_back(fmt::format("got {}, want {}, allowed {}", format_result(c, f.got), want,
                                     exactly ? "no error: nothing is rounded here" : to_string(c.tolerance)));
         lines.push_back(replay_command(c, f, options));

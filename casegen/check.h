@@ -86,6 +86,9 @@ std::string format_call(const Case& c, std::span<const std::uint32_t> input, con
 /// "0x1p+0", "vec2(…)": a result's words; and the reference's value in the same form.
 std::string format_result(const Case& c, std::span<const std::uint32_t> words);
 std::string format_result(const Case& c, const Numbers& numbers);
+/// What is asked for at an input: the reference's value; outside the domain what the rule says, "anything
+/// from 0 to 1".
+std::string format_want(const Case& c, const Arguments& arguments);
 /// The command that runs this very input again and shows result and reference. `options` are the program's
 /// own that it needs for that, each behind a blank (" --kernels 'mine'").
 std::string replay_command(const Case& c, const Finding& finding, const std::string& options = {});

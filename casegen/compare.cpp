@@ -88,6 +88,19 @@ bool exact_at(const Case& c, const Arguments& arguments) {
     return c.exact_where && c.exact_where(std::span(arguments.numbers).first(c.reference.words.size()));
 }
 
+bool keeps_rule(const Case& c, const Arguments& arguments, const Numbers& got) {
+    if (!c.outside) return true;
+    const auto bounds = c.outside(std::span(arguments.numbers).first(c.reference.words.size()));
+    if (!bounds) return true;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(c.reference.result.components); ++k) {
+        const double lower = bounds->lower[k], upper = bounds->upper[k];
+        if (!(got[k] >= lower && got[k] <= upper)) return false;
+        const bool is_one_zero = lower == 0 && upper == 0 && std::signbit(lower) == std::signbit(upper);
+        if (is_one_zero && std::signbit(got[k]) != std::signbit(lower)) return false;
+    }
+    return true;
+}
+
 Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::uint32_t> result,
                 const Truth* known) {
     const Type type = c.reference.result;
@@ -99,7 +112,7 @@ Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::
         if ((defined || c.defended) && !(got[k] >= c.result.lower && got[k] <= c.result.upper))
             return {false, infinity};
     }
-    if (!defined) return {true, 0};
+    if (!defined) return keeps_rule(c, arguments, got) ? Agreement{true, 0} : Agreement{false, infinity};
     if (c.tolerance.kind == Tolerance::Kind::conditioned) {
         const Truth truth = known ? *known : c.reference.truth(arguments);
         double error = 0;

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -126,6 +127,13 @@ struct Generator {
     std::vector<Locus> loci;
 };
 
+/// What a result must lie within: a closed interval per component. From 0 to 0 is that zero, from -0 to 0
+/// either.
+struct Bounds {
+    Numbers lower{}, upper{};
+};
+inline Bounds exactly(const Numbers& answer) { return {answer, answer}; }
+
 /// The distances that every locus is approached by: on it, 1e-1, 1e-2 … 1e-12.
 constexpr int locus_distances = 13;
 double locus_distance(int step);
@@ -180,6 +188,9 @@ struct Case {
     std::string fails;
     /// How it answers what no caller should ask: NaN, intervals that end before they begin.
     std::string rule;
+    /// What the rule asks for at an input outside the domain (one number per word), where that is more than
+    /// any number within the result's range; optional.
+    std::function<std::optional<Bounds>(std::span<const double> numbers)> outside;
 };
 
 /// For exact_where: all are multiples of 2^-22, so that among numbers of magnitude 1 sums of a few stay

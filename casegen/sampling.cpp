@@ -50,7 +50,7 @@ std::vector<std::uint32_t> hostile_words(Scalar scalar, const Domain& domain, st
         for (const float v : {lower, upper, std::nextafter(lower, infinity), std::nextafter(upper, -infinity),
                               std::nextafter(lower, -infinity), std::nextafter(upper, infinity),
                               0.5f * (lower + upper), 0.0f, -0.0f, FLT_TRUE_MIN, FLT_MIN, FLT_MAX, -FLT_MAX,
-                              infinity, -infinity, std::numeric_limits<float>::quiet_NaN()})
+                              infinity, -infinity, std::bit_cast<float>(0x7fffffffu)}) // NaN of all bits
             words.push_back(std::bit_cast<std::uint32_t>(v));
         break;
     }

@@ -3,7 +3,6 @@
 #include "casegen/compare.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -109,7 +108,7 @@ std::vector<std::size_t> QuickJudge::to_look_at(const Records& records,
         const std::span<const std::uint32_t> words = records.input(i);
         const bool defined = inside(words, records.mask(i));
         unsigned in_range = 1;
-        std::array<double, 4> got{};
+        Numbers got{};
         for (std::size_t k = 0; k < components; ++k) {
             got[k] = widen(type.scalar, results[i * components + k]);
             in_range &= bit(got[k] >= case_.result.lower) & bit(got[k] <= case_.result.upper);
@@ -118,8 +117,12 @@ std::vector<std::size_t> QuickJudge::to_look_at(const Records& records,
             if (defined || case_.defended) found.push_back(i);
             continue;
         }
-        if (!defined) continue;
+        if (!defined && !case_.outside) continue;
         const Arguments with = arguments(case_, words, records.mask(i));
+        if (!defined) {
+            if (!keeps_rule(case_, with, got)) found.push_back(i);
+            continue;
+        }
         const Numbers want = case_.reference.call(with);
         double difference = 0;
         bool nearest = true; // the float next to what is wanted

@@ -88,9 +88,7 @@ Regression Subject::shrunk(const Input& input, const std::string& failure, const
     const Mask* mask = case_.reference.takes_mask ? &simplest.input.mask : nullptr;
     const Arguments with = arguments(case_, simplest.input.words, mask);
     regression.got = failure == unwritten ? "nothing" : format_result(case_, outputs.words);
-    regression.want = in_domain(case_, with)
-                          ? format_result(case_, case_.reference.call(with))
-                          : fmt::format("anything from {:g} to {:g}", case_.result.lower, case_.result.upper);
+    regression.want = format_want(case_, with);
     return regression;
 }
 

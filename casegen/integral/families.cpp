@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace gnomon {
 namespace integral {
@@ -19,7 +20,15 @@ Case in_form(const std::string& form, const Quantity& quantity, Tolerance tolera
     c.quantity = "integral/" + quantity.name;
     c.generator = quantity.generator;
     c.rule = quantity.rule;
+    c.outside = quantity.outside;
     return c;
+}
+
+std::function<std::optional<Bounds>(std::span<const double>)> not_finite_gives(const Numbers& answer) {
+    return [answer](std::span<const double> numbers) -> std::optional<Bounds> {
+        if (std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); })) return {};
+        return exactly(answer);
+    };
 }
 
 Case good_where(Case c, std::function<bool(const Arguments&)> ordinary) {
@@ -32,6 +41,7 @@ Case good_where(Case c, std::function<bool(const Arguments&)> ordinary) {
 Case as_printed(Case c, std::function<bool(const Arguments&)> ordinary) {
     c = good_where(std::move(c), std::move(ordinary));
     c.defended = false;
+    c.outside = nullptr;
     c.rule = "as printed: whatever comes of it, NaN included, where it divides by zero or its input is none";
     return c;
 }

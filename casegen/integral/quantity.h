@@ -16,7 +16,11 @@ struct Quantity {
     std::shared_ptr<const Generator> generator;
     std::function<bool(const Arguments&)> where;
     std::string rule;
+    std::function<std::optional<Bounds>(std::span<const double>)> outside; ///< as Case::outside
 };
+
+/// The rule that an input which is not finite gives this.
+std::function<std::optional<Bounds>(std::span<const double>)> not_finite_gives(const Numbers& answer);
 
 /// The kernel integral/<form>/<quantity>.
 Case in_form(const std::string& form, const Quantity& quantity, Tolerance tolerance);

@@ -40,7 +40,8 @@ Quantity radiance() {
         stiffness::is_lit_cell,
         "half_width below 0 is the cell from its other end, rise.x first, and negates, as does a boundary "
         "below theta0; versines are turned round; p must not be 0; a result beyond the floats is the largest "
-        "or, where such cancel, 0; an input that is not finite gives 0"};
+        "or, where such cancel, 0; an input that is not finite gives 0",
+        not_finite_gives({})};
 }
 
 struct Shape { // of a cell, in radians
@@ -114,6 +115,7 @@ std::vector<Case> radiance_cases() {
     cases.push_back(as_printed(in_form("printed", q, conditioned(4000)), is_far_from_loci));
     Case exactly = in_form("as_printed", q, conditioned(4000));
     exactly.defended = false;
+    exactly.outside = nullptr;
     exactly.fails = "B0 asks for C4 at s = 1, where it divides by zero: never a number";
     exactly.rule = "as printed: NaN";
     cases.push_back(std::move(exactly));

@@ -23,10 +23,8 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 std::string failed_call(const Case& c, const Records& records, std::size_t i,
                         std::span<const std::uint32_t> got) {
     const Arguments with = arguments(c, records.input(i), records.mask(i));
-    const std::string want = in_domain(c, with) ? format_result(c, c.reference.call(with))
-                                                : fmt::format("{:g} to {:g}", c.result.lower, c.result.upper);
     return fmt::format("{}: got {}, want {}", format_call(c, records.input(i), records.mask(i)),
-                       format_result(c, got), want);
+                       format_result(c, got), format_want(c, with));
 }
 
 } // namespace

@@ -113,6 +113,37 @@ TEST(conditioned, an_undefended_kernel_may_answer_anything_outside_its_domain_an
     EXPECT_TRUE(judge_at(c, 2, 999).pass) << "outside the domain only the range counts";
 }
 
+TEST(outside, a_rule_is_asked_for_where_the_input_is_in_no_domain_and_nowhere_else) {
+    Case c = make_case(one_known_to_a_thousandth, 4);
+    c.outside = [](std::span<const double> n) -> std::optional<Bounds> {
+        if (std::isnan(n[0])) return exactly({7});
+        if (n[0] > 100) return exactly({0});
+        if (n[0] > 10) return Bounds{{2}, {3}};
+        return {};
+    };
+    const auto passes = [&](double x, float result) { return judge_at(c, x, result).pass; };
+    EXPECT_TRUE(passes(nan, 7));
+    EXPECT_FALSE(passes(nan, 0));
+    EXPECT_FALSE(passes(nan, nan));
+    EXPECT_TRUE(passes(20, 2) && passes(20, 3) && passes(20, 2.5f));
+    EXPECT_FALSE(passes(20, 1.99f) || passes(20, 3.01f) || passes(20, nan));
+    EXPECT_TRUE(passes(200, 0.0f));
+    EXPECT_FALSE(passes(200, -0.0f));
+    EXPECT_TRUE(passes(2, -999)) << "where the rule says nothing only the range counts";
+    EXPECT_TRUE(passes(0.5, 1));
+    EXPECT_FALSE(passes(0.5, 7));
+
+    Arguments arguments;
+    const auto wanted = [&](double x) {
+        arguments.numbers[0] = x;
+        return format_want(c, arguments);
+    };
+    EXPECT_EQ(wanted(0.5), "0x1p+0");
+    EXPECT_EQ(wanted(nan), "0x1.cp+2");
+    EXPECT_EQ(wanted(20), "0x1p+1 to 0x1.8p+1");
+    EXPECT_EQ(wanted(2), "anything from -1000 to 1000");
+}
+
 TEST(conditioned, denormal_inputs_are_outside_the_domain_of_a_reference_with_a_truth) {
     const Case c = make_case(one_known_to_a_thousandth, 4);
     Arguments arguments;
