@@ -89,13 +89,24 @@ std::shared_ptr<const Generator> cells_and_axes() {
                                    n[3] = pi - d * random.unit();
                                    n[2] = n[3] - (d == 0 ? 1 : d) * random.unit();
                                }});
+    generator->loci.push_back({"axis along an axis", "axis", [](Random& random, double d, Span n) {
+                                   const std::size_t along = 4 + random.below(3);
+                                   for (std::size_t i = 4; i < 7; ++i)
+                                       n[i] = i == along ? either(random, 1) : about(random, d);
+                                   put(n.subspan(4), glm::normalize(glm::dvec3(n[4], n[5], n[6])));
+                               }});
+    // Whose square is no float.
+    generator->loci.push_back({"length = 0", "axis", [](Random& random, double d, Span n) {
+                                   const double length = std::max(1e-29, d * d * d);
+                                   put(n.subspan(4), direction(random) * length);
+                               }});
     return generator;
 }
 
 bool is_cell_and_axis(const Arguments& arguments) {
     const auto& n = arguments.numbers;
     return is_polar(n[2]) && is_polar(n[3]) && std::abs(n[1]) <= pi + 1e-5 &&
-           std::hypot(n[4], n[5], n[6]) > 1e-3;
+           std::hypot(n[4], n[5], n[6]) > 1e-30;
 }
 
 } // namespace gnomon::stiffness
