@@ -43,12 +43,13 @@ std::vector<mutate::Operator> operators_of(const std::string& list) {
     return operators;
 }
 
-/// Kernels by several patterns, apart by commas or blanks; each once, in the catalogue's order of each.
+/// Kernels by several patterns, apart by commas; each once, in the catalogue's order of each.
 std::vector<const Case*> cases_of(const std::string& patterns) {
     if (patterns.empty()) return find_cases("");
     std::vector<const Case*> cases;
     for (std::size_t at = 0; at <= patterns.size();) {
         const std::size_t end = std::min(patterns.find(',', at), patterns.size());
+        if (end == at) throw Error("a pattern in \"{}\" is empty; commas stand between patterns", patterns);
         for (const Case* c : find_cases(patterns.substr(at, end - at)))
             if (std::ranges::find(cases, c) == cases.end()) cases.push_back(c);
         at = end + 1;

@@ -122,6 +122,10 @@ std::string mutate_junit(const mutate::CampaignReport& report, const glsl::Sourc
             if (report.mutants[i].fate == Fate::survived)
                 one.text += survivor_text(report.mutants[i], sources, {});
         if (!one.text.empty()) one.failure = "mutants survive";
+        if (one.failure.empty() && count.not_run > 0) {
+            one.failure = "not run";
+            one.text = fmt::format("{} mutants were not run", count.not_run);
+        }
         cases.push_back(std::move(one));
     }
     JunitCase listed{"mutate", "the list of equivalent mutants", 0, {}, {}};

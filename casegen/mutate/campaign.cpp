@@ -163,6 +163,7 @@ private:
         const Task& task = tasks_[worker];
         Progress& progress = progress_[task.mutant];
         const Mutant& mutant = report_.mutants[task.mutant].mutant;
+        progress.again = false; // the next kernel that is asked has its second try
         switch (outcome) {
         case Examined::Outcome::killed:
             settle(task.mutant, Fate::killed, task.kernel, how);
@@ -303,11 +304,18 @@ CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOp
         files.insert(mutant.file);
         ids.insert(mutant.id);
     }
-    for (const Equivalent& each : options.equivalents)
-        if (files.contains(each.file) && !ids.contains(each.id))
+    std::set<std::string> missing;
+    for (const Equivalent& each : options.equivalents) {
+        if (!std::filesystem::exists(options.examiner.kernels / each.file)) {
+            if (missing.insert(each.file).second)
+                report.complaints.push_back(fmt::format(
+                    "{}: mutants of it are listed as equivalent, but there is no such file", each.file));
+        } else if (files.contains(each.file) && !ids.contains(each.id)) {
             report.complaints.push_back(fmt::format(
                 "{}: {} is listed as equivalent, but there is no such mutant: the function has changed ({})",
                 each.file, each.id, each.mutation));
+        }
+    }
     std::erase_if(mutants, [&](const Mutant& mutant) {
         return std::ranges::find(options.operators, mutant.mutation.by) == options.operators.end();
     });

@@ -64,7 +64,8 @@ struct CampaignReport {
     std::vector<std::string> complaints; ///< kernels that fail unchanged, entries of the list that are wrong
     double seconds = 0;
     bool interrupted = false;
-    bool good() const { return complaints.empty() && all.survived == 0; }
+    /// A mutant that was not run may survive.
+    bool good() const { return complaints.empty() && all.survived == 0 && all.not_run == 0; }
 };
 
 /// The same for any number of jobs, but for the seconds. `done` is told how many mutants' fates are known,

@@ -57,7 +57,6 @@ std::vector<Equivalent> parse_equivalents(std::string_view text, const std::stri
 }
 
 std::vector<Equivalent> load_equivalents(const std::filesystem::path& file) {
-    if (!std::filesystem::exists(file)) return {};
     return parse_equivalents(read_file(file), file.string());
 }
 

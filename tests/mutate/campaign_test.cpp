@@ -186,6 +186,7 @@ TEST_F(own_kernel, interrupted_tells_what_was_done) {
     const CampaignReport report = run({&own(step)}, stopped);
     EXPECT_TRUE(report.interrupted);
     EXPECT_EQ(report.all.not_run, report.all.total());
+    EXPECT_FALSE(report.good()) << "what was not run may survive";
 }
 
 TEST(mutants, of_shared_files_count_for_all_who_include_them) {

@@ -48,7 +48,7 @@ TEST(equivalents, must_give_a_reason_and_be_well_formed) {
 
 TEST(equivalents, of_the_kernels_can_be_read) {
     EXPECT_NO_THROW(load_equivalents(testing::fixtures_folder() / "mutants/equivalent.json"));
-    EXPECT_TRUE(load_equivalents("no such file").empty());
+    EXPECT_THROW(load_equivalents("no such file"), Error);
 }
 
 } // namespace
