@@ -13,6 +13,7 @@
 #include <memory>
 #include <set>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace gnomon::cli {
@@ -36,7 +37,8 @@ extern "C" void stop_watching(int) {
 
 int stop_by_signals() {
     std::array<int, 2> ends{};
-    if (::pipe(ends.data()) != 0) throw Error("no pipe for Ctrl-C to be heard through");
+    if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
+        throw Error("no pipe for Ctrl-C to be heard through");
     stop_pipe = ends[1];
     std::signal(SIGINT, stop_watching);
     std::signal(SIGTERM, stop_watching);

@@ -8,6 +8,7 @@
 #include "casegen/measure/inputs.h"
 #include "casegen/measure/variant.h"
 #include "runtime/error.h"
+#include "runtime/glsl/names.h"
 #include "runtime/gpu/validation.h"
 
 #include <fmt/format.h>
@@ -19,23 +20,6 @@ namespace gnomon::versus {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The words without what they are called in the text.
-glsl::Spirv without_names(const glsl::Spirv& words) {
-    constexpr std::size_t header = 5;
-    constexpr std::array<std::uint32_t, 7> names{2, 3, 4,  5,
-                                                 6, 7, 330}; // OpSource… OpString, OpModuleProcessed
-    glsl::Spirv kept(words.begin(),
-                     words.begin() + static_cast<std::ptrdiff_t>(std::min(header, words.size())));
-    for (std::size_t i = header; i < words.size();) {
-        const std::size_t end = std::min(words.size(), i + std::max(words[i] >> 16, 1u));
-        if (std::ranges::find(names, words[i] & 0xffffu) == names.end())
-            kept.insert(kept.end(), words.begin() + static_cast<std::ptrdiff_t>(i),
-                        words.begin() + static_cast<std::ptrdiff_t>(end));
-        i = end;
-    }
-    return kept;
-}
 
 /// What both kernels are asked: on the whole of a quantity's domain, if they are forms of one.
 Case question_of(const Pair& pair) {
@@ -178,8 +162,8 @@ Examiner::Examiner(const Side& a, const Side& b, const ExaminerOptions& options)
 Examiner::~Examiner() = default;
 
 bool Examiner::is_same_code(const Pair& pair) {
-    return without_names(compile_standalone(*pair.a, sources_of(impl_->sides[0]))) ==
-           without_names(compile_standalone(*pair.b, sources_of(impl_->sides[1])));
+    return glsl::without_names(compile_standalone(*pair.a, sources_of(impl_->sides[0]))) ==
+           glsl::without_names(compile_standalone(*pair.b, sources_of(impl_->sides[1])));
 }
 
 SideReport Examiner::run(const Pair& pair, int side) {

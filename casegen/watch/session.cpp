@@ -124,7 +124,6 @@ private:
                 edit_since_ = since;
             }
             watched.now = std::move(texts);
-            if (times_) times_->forget(k);
             enqueue(watched, since);
         }
     }
@@ -173,7 +172,7 @@ private:
             request.before = watched.ran.alone;
             worker.child.send(format(request));
         }
-        if (times_ && !judging()) times_->begin();
+        if (times_ && !judging()) times_->go_on();
     }
 
     bool judging() const {
@@ -183,6 +182,9 @@ private:
     }
 
     void tell_judgement(Watched& watched, Judgement judgement, const Texts& texts) {
+        // Of another code. What is the same code but for its text leaves the time of the edit before it
+        // wanted.
+        if (times_) times_->forget(number_of(watched));
         Judged told;
         told.kernel = watched.kernel;
         told.edit = watched.edit;
@@ -282,10 +284,14 @@ private:
         }
     }
 
+    std::size_t number_of(const Watched& watched) const {
+        return static_cast<std::size_t>(&watched - kernels_.data());
+    }
+
     void want_time(const Watched& watched, const Texts& after, const Judgement& judgement) {
         if (!times_ || watched.edit == 0) return;
         TimeRequest request;
-        request.kernel = static_cast<std::size_t>(&watched - kernels_.data());
+        request.kernel = number_of(watched);
         request.before = watched.ran.repeated;
         request.after = after.repeated;
         request.alone = after.alone;

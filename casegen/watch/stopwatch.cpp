@@ -30,6 +30,7 @@ std::shared_ptr<Stopwatch::Kept> Stopwatch::make(const Case& c, const std::strin
     kept->loop =
         measure::make_loop(device_, c, glsl::compile_expanded(text, standalone_name, glsl::Stage::compute),
                            Repeated::calls, buffers_, wanted_nanoseconds);
+    kept->threads = kept->loop.threads;
     return kept;
 }
 
@@ -55,9 +56,10 @@ Times Stopwatch::begin(const Case& c, Subject& subject, const TimeRequest& reque
     upload(c, subject);
     turns_ = {find(c, request.before), find(c, request.after), make(c, request.before)};
     // All of one size: the start of a dispatch is part of its time.
-    const auto threads = [](const auto& turn) { return turn->loop.threads; };
+    const auto threads = [](const auto& turn) { return turn->threads; };
     const std::uint32_t fewest = threads(*std::ranges::min_element(turns_, {}, threads));
     for (const auto& turn : turns_) turn->loop.threads = fewest;
+    reads_.threads = fewest;
     return times;
 }
 

@@ -30,6 +30,8 @@ private:
     struct Kept {
         std::string text;
         measure::Loop loop;
+        std::uint32_t threads =
+            0; ///< that make its dispatch long enough; the loop's are those of its last turn
     };
     void upload(const Case& c, const Subject& subject);
     std::shared_ptr<Kept> make(const Case& c, const std::string& text);

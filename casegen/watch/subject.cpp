@@ -1,6 +1,7 @@
 #include "casegen/watch/subject.h"
 
 #include "runtime/error.h"
+#include "runtime/glsl/names.h"
 
 #include <algorithm>
 #include <bit>
@@ -107,7 +108,7 @@ Judgement Subject::judge(gpu::Device& device, const std::string& text, const std
             ran_ = run(device, compile_standalone_text(case_, before, folder), before, ignored);
         }
         glsl::Spirv words = compile_standalone_text(case_, text, folder);
-        if (ran_ && code_of(words) == code_of(ran_->words)) {
+        if (ran_ && glsl::without_names(words) == glsl::without_names(ran_->words)) {
             ran_->text = text;
             Judgement same;
             same.same_code = true;
@@ -133,22 +134,6 @@ Judgement Subject::judge(gpu::Device& device, const std::string& text, const std
     Judgement judgement = judgement_of(report, replay);
     judgement.device_lost = report.verdict == Verdict::timeout;
     return judgement;
-}
-
-glsl::Spirv code_of(const glsl::Spirv& words) {
-    constexpr std::size_t header = 5;
-    constexpr std::uint32_t op_source = 3, op_line = 8; // and in between: names, strings
-    glsl::Spirv code(words.begin(),
-                     words.begin() + static_cast<std::ptrdiff_t>(std::min(header, words.size())));
-    for (std::size_t i = header; i < words.size();) {
-        const std::size_t length = std::min<std::size_t>(std::max(words[i] >> 16, 1u), words.size() - i);
-        const std::uint32_t operation = words[i] & 0xffffu;
-        if (operation < op_source || operation > op_line)
-            code.insert(code.end(), words.begin() + static_cast<std::ptrdiff_t>(i),
-                        words.begin() + static_cast<std::ptrdiff_t>(i + length));
-        i += length;
-    }
-    return code;
 }
 
 std::uint64_t hash_of(const Case& c, std::span<const std::uint32_t> results) {

@@ -50,10 +50,6 @@ private:
     std::optional<Ran> ran_;
 };
 
-/// The words without names and line numbers, which code does not consist of: a renamed variable is no other
-/// code.
-glsl::Spirv code_of(const glsl::Spirv& words);
-
 /// A hash of a kernel's result words: what two processes compare their results by. Any NaN is as good as
 /// another: its sign depends on whether a compiler or the processor made it.
 std::uint64_t hash_of(const Case& c, std::span<const std::uint32_t> results);

@@ -35,16 +35,30 @@ void Timekeeper::want(std::size_t edit, TimeRequest request) {
 
 void Timekeeper::forget(std::size_t kernel) {
     std::erase_if(wanted_, [&](const Timing& timing) { return timing.request.kernel == kernel; });
-    if (now_ && now_->request.kernel == kernel) now_->outdated = true;
+    if (!now_ || now_->request.kernel != kernel) return;
+    if (now_->waits)
+        now_.reset();
+    else
+        now_->outdated = true;
 }
 
 void Timekeeper::send(const TimeRequest& request) {
     now_->sent = seconds_now();
+    now_->waits = false;
     child_.send(format(request));
 }
 
-void Timekeeper::begin() {
-    if (now_ || wanted_.empty()) return;
+void Timekeeper::go_on() {
+    if (now_) {
+        if (!now_->waits) return;
+        TimeRequest request;
+        request.what = TimeRequest::What::round;
+        request.kernel = now_->request.kernel;
+        request.round = static_cast<unsigned>(now_->times.a.size());
+        send(request);
+        return;
+    }
+    if (wanted_.empty()) return;
     now_ = std::move(wanted_.front());
     wanted_.pop_front();
     send(now_->request);
@@ -78,13 +92,8 @@ void Timekeeper::take(const Times& times) {
         now_->times.again.push_back(times.again);
         now_->reading.push_back(times.floor);
     }
-    const std::size_t rounds = now_->times.a.size();
-    if (rounds < timed_rounds) {
-        TimeRequest request;
-        request.what = TimeRequest::What::round;
-        request.kernel = now_->request.kernel;
-        request.round = static_cast<unsigned>(rounds);
-        send(request);
+    if (now_->times.a.size() < timed_rounds) {
+        now_->waits = true;
         return;
     }
     try {
@@ -116,7 +125,7 @@ void Timekeeper::end(const std::string& why) {
     now_.reset();
 }
 
-double Timekeeper::deadline() const { return now_ ? now_->sent + patience() : never; }
+double Timekeeper::deadline() const { return now_ && !now_->waits ? now_->sent + patience() : never; }
 
 void Timekeeper::end_if_overdue(double now) {
     if (now <= deadline()) return;

@@ -22,8 +22,9 @@ public:
     void want(std::size_t edit, TimeRequest request);
     /// What is known or asked of a kernel is of a state that is no more.
     void forget(std::size_t kernel);
-    /// Begins with the next one, if none is being timed.
-    void begin();
+    /// The next round of what is being timed, or else the next edit: called while no verdict is due, so that
+    /// neither disturbs the other.
+    void go_on();
     bool is_idle() const { return !now_ && wanted_.empty(); }
 
     /// Readable when hear() has something to hear.
@@ -37,7 +38,7 @@ private:
     struct Timing {
         std::size_t edit = 0;
         TimeRequest request;
-        bool begun = false, outdated = false;
+        bool begun = false, outdated = false, waits = false; ///< `waits`: its process does, for a round
         double sent = 0;
         measure::PairedTimes times;
         std::vector<double> reading;

@@ -84,6 +84,17 @@ protected:
     const std::string case_09_ = "smsr/case_09.glsl";
 };
 
+TEST_F(watch_verb, a_comment_that_is_saved_at_once_leaves_the_edit_before_it_its_time) {
+    watch({"smsr/case_09"});
+    const std::string edited = changed(text(case_09_), "1.0 - p.y < along_x", "1.0 - p.y < 0.9 * along_x");
+    save(case_09_, edited);
+    next("verdict");
+    save(case_09_, edited + "// A comment.\n");
+    Json event = next("time");
+    EXPECT_EQ(event.at("edit"), 1);
+    EXPECT_GT(event.at("nanoseconds_after"), 0);
+}
+
 TEST_F(watch_verb, says_after_a_save_what_is_wrong_what_moved_and_what_it_costs) {
     watch({"smsr/case_09", "smsr/case_01"});
     const std::string right = text(case_09_);
