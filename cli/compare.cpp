@@ -94,9 +94,11 @@ int run(const Options& options, const Common& common, bool limited, bool kernels
     const CompareHead head{a.label, b.label, options.image, versus_options.times};
     fmt::print("{}", options.format == "json" ? compare_json(head, plan, report) + '\n'
                                               : compare_text(head, plan, report));
+    if (report.comparisons.empty() && !options.image.empty() && options.format != "json")
+        fmt::print("image none: no kernel's code differs\n");
     for (const versus::Comparison& one : report.comparisons)
         if (is_right(one.a) && !is_right(one.b)) return 1;
-    return 0;
+    return plan.only_a.empty() ? 0 : 1; // B has lost a kernel
 }
 
 } // namespace
