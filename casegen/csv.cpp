@@ -2,6 +2,7 @@
 
 #include "runtime/error.h"
 #include "runtime/files.h"
+#include "runtime/one_line.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -87,19 +88,20 @@ std::uint32_t parse_word(Scalar scalar, const std::string& cell, const std::stri
         const float value = std::strtof(cell.c_str(), &end);
         const bool overflow = errno == ERANGE && std::isinf(value);
         if (cell.empty() || end != cell.c_str() + cell.size() || overflow)
-            throw Error("{} is \"{}\"; a number is needed{}", place, cell,
+            throw Error("{} is \"{}\"; a number is needed{}", place, one_line(cell),
                         overflow ? " that a float can hold" : "");
         return std::bit_cast<std::uint32_t>(value);
     }
     const double value = std::strtod(cell.c_str(), &end);
     if (cell.empty() || end != cell.c_str() + cell.size())
-        throw Error("{} is \"{}\"; a whole number is needed", place, cell);
+        throw Error("{} is \"{}\"; a whole number is needed", place, one_line(cell));
     const double lower = scalar == Scalar::int32 ? -2147483648.0 : 0.0;
     const double upper = scalar == Scalar::int32    ? 2147483647.0
                          : scalar == Scalar::uint32 ? 4294967295.0
                                                     : 1.0;
     if (!(value >= lower && value <= upper) || value != std::floor(value))
-        throw Error("{} is {}; a whole number from {:.0f} to {:.0f} is needed", place, cell, lower, upper);
+        throw Error("{} is {}; a whole number from {:.0f} to {:.0f} is needed", place, one_line(cell), lower,
+                    upper);
     return narrow(scalar, value);
 }
 

@@ -1,5 +1,6 @@
 #include "cli/app.h"
 #include "runtime/error.h"
+#include "runtime/one_line.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +25,7 @@ int run(int argc, char** argv) {
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
             return app->exit(error); // --help
         fmt::print(stderr, "gnomon: {} (gnomon --help, or gnomon VERB --help, shows what there is)\n",
-                   error.what());
+                   one_line(error.what()));
         return 2;
     }
     return exit_code;
@@ -40,8 +41,10 @@ int main(int argc, char** argv) {
     int exit_code = 2;
     try {
         exit_code = run(argc, argv);
-    } catch (const gnomon::Error& error) {
+    } catch (const gnomon::CompileError& error) { // a line for each of the compiler's
         fmt::print(stderr, "gnomon: {}\n", error.what());
+    } catch (const gnomon::Error& error) { // may quote what users gave
+        fmt::print(stderr, "gnomon: {}\n", one_line(error.what()));
     } catch (const std::bad_alloc&) {
         fmt::print(
             stderr,

@@ -2,6 +2,7 @@
 
 #include "casegen/csv.h"
 #include "runtime/error.h"
+#include "runtime/one_line.h"
 
 #include <nlohmann/json.hpp>
 
@@ -76,7 +77,7 @@ const Json& object_at(const Json& parent, const char* field, std::initializer_li
     const Json& object = parent.at(field);
     for (const auto& [key, value] : object.items())
         if (std::ranges::none_of(fields, [&k = key](const char* known) { return k == known; }))
-            throw Error("{}: unknown field \"{}\" in \"{}\"", name, key, field);
+            throw Error("{}: unknown field \"{}\" in \"{}\"", name, one_line(key), field);
     for (const char* each : fields)
         if (!object.contains(each)) throw Error("{}: has no \"{}\" in \"{}\"", name, each, field);
     return object;
@@ -156,7 +157,7 @@ Json json_of(const SceneInput& s) {
 SceneInput scene_of(const Json& object, const std::string& name) {
     for (const auto& [key, value] : object.items())
         if (key != "camera" && key != "light" && key != "settings" && key != "vertices" && key != "triangles")
-            throw Error("{}: unknown field \"{}\"", name, key);
+            throw Error("{}: unknown field \"{}\"", name, one_line(key));
     SceneInput s;
     const Json& camera = object_at(object, "camera", {"position", "direction", "fov", "near", "far"}, name);
     s.camera.position = vector_of(camera.at("position"), name + ", camera, position");

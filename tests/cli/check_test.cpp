@@ -84,6 +84,8 @@ TEST(check_verb, refuses_what_it_cannot_do_with_one_line) {
         testing::expect_refused(folder, testing::Arguments{"check"} + arguments, what);
     };
     refused({"smsr/case_9"}, "smsr/case_09");
+    refused({"smsr/case\n_9"}, "case _9"); // what is quoted stays on the message's one line
+    refused({"smsr/case_09", "--seed", "1\n2"}, "1 2");
     refused({"smsr/case_09", "--samples", "0"}, "--samples");
     refused({"smsr/case_09", "--samples", "many"}, "many");
     refused({"smsr/case_09", "--samples", "-1"}, "--samples");

@@ -33,7 +33,7 @@ TEST(capture, of_a_pixel_is_what_eval_replays) {
     const Ran ran = run_well(Arguments{"capture", "--pixel", pixel, "--out", out, "--verify"} + small);
     EXPECT_THAT(ran.out,
                 HasSubstr("smsr/visibility as smsr calls it in demo: 1 calls, at 1 of 1 pixels that do"));
-    EXPECT_THAT(ran.out, HasSubstr("gnomon eval smsr/visibility --in " + out + " --expect captured"));
+    EXPECT_THAT(ran.out, HasSubstr("gnomon eval smsr/visibility --in '" + out + "' --expect captured"));
     EXPECT_THAT(ran.out, HasSubstr("alone, all 1 calls give the bits of the pipeline"));
     const Csv csv = read_csv(out);
     ASSERT_EQ(csv.rows.size(), 1u);
