@@ -7,7 +7,7 @@ bool column_opposite(vec2 a, vec2 b, vec2 c, vec2 d, float margin) {
     vec2 across = vec2(abs(ac.x) + abs(ac.y), abs(ad.x) + abs(ad.y));
     float along = abs(ab.x) + abs(ab.y);
     // Moving all points by the margin turns |ab| and moves c against it. And the arithmetic's own: differences, products and theirs carry
-    // four roundings of the products, which are no more than along * across: twice that. Below 1e-30 products of small ones vanish.
-    vec2 unsure = 2.0 * margin * (along + across) + 4.76837158203125e-7 * along * across + 1e-30;
+    // four roundings of the products, which are no more than along * across: twice that. And what vanishes below 2^-126, six times at most.
+    vec2 unsure = 2.0 * margin * (along + across) + 4.76837158203125e-7 * along * across + 1e-37;
     return on_c > unsure.x && on_d < -unsure.y || on_c < -unsure.x && on_d > unsure.y;
 }
