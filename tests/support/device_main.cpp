@@ -1,4 +1,5 @@
 // Tests on the device: a test fails if the validation layer said anything while it ran.
+#include "runtime/gpu/instance.h"
 #include "runtime/gpu/validation.h"
 #include "tests/support/device.h"
 #include "tests/support/environment.h"
@@ -18,6 +19,8 @@ class ValidationListener : public ::testing::EmptyTestEventListener {
 
 int main(int argc, char** argv) {
     gnomon::testing::use_test_cache();
+    // It sets variables of the environment, which no thread must be reading then.
+    gnomon::gpu::prepare_process(false);
     ::testing::InitGoogleTest(&argc, argv);
     // Behind the printers: listeners are told of ends in reverse, so what fails here is still printed.
     ::testing::UnitTest::GetInstance()->listeners().Append(new ValidationListener);
