@@ -84,6 +84,28 @@ bool erodes_as_published(dvec2 a, dvec2 b, dvec2 c, double lambda) {
 }
 bool is_clear_erosion(const Arguments& arguments) { return Left(arguments).is_clear(); }
 
+/// What `bounded` makes of a sum of two floats, to its rounding: too large for a float, the largest; the
+/// difference of two infinities, 0.
+void add_bounded(Bounds& bounds, std::size_t word, double x) {
+    constexpr double largest = FLT_MAX;
+    const double slack = std::isfinite(x) ? 0x1p-23 * std::abs(x) : 0;
+    const double answer = std::isnan(x) ? 0 : x;
+    bounds.lower[word] = std::clamp(answer - slack, -largest, largest);
+    bounds.upper[word] = std::clamp(answer + slack, -largest, largest);
+    if (x == 0) bounds.lower[word] = -0.0, bounds.upper[word] = 0.0; // of either sign
+}
+/// Of numbers beyond the map, infinities too. What GLSL's min and max make of NaN is not said.
+std::optional<Bounds> clip_box_beyond(std::span<const double> n) {
+    if (std::ranges::any_of(n, [](double x) { return std::isnan(x); })) return {};
+    Bounds bounds;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto [least, most] = std::minmax({n[axis], n[axis + 2], n[axis + 4]});
+        add_bounded(bounds, axis, least - n[6]);
+        add_bounded(bounds, axis + 2, most + n[6]);
+    }
+    return bounds;
+}
+
 bool in_clip_box(dvec2 p, dvec4 box) {
     return glm::clamp(p.x, box.x, box.z) == p.x && glm::clamp(p.y, box.y, box.w) == p.y && box.x <= box.z &&
            box.y <= box.w;
@@ -187,6 +209,7 @@ Family conservative_family() {
                 .tolerance = conditioned(1),
                 .generator = with_lambda,
                 .rule = or_zero,
+                .outside = clip_box_beyond,
             },
             {
                 .name = "conservative/in_clip_box",
