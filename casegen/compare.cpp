@@ -50,8 +50,8 @@ bool gives_near(const Case& c, const Arguments& arguments, const Numbers& got,
 
 /// About how far the input must be moved for the reference to give `got`: one of a few fractions of
 /// `farthest`; infinity if neither that nor half of it is enough. The largest comes first: a straight border
-/// that crosses the box of inputs has one of its corners on either side, so that most wrong results need no
-/// more than one look.
+/// that crosses the box of inputs has corners of it on both sides, so that most wrong results need no look at
+/// the smaller ones.
 double input_distance(const Case& c, const Arguments& arguments, const Numbers& got, double farthest) {
     std::vector<std::size_t> moved;
     for (std::size_t i = 0; i < c.reference.words.size(); ++i)
