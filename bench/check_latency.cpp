@@ -110,7 +110,7 @@ void measure(int runs) {
          [&](int) {
              return run({"check", "[!i]*"}, warm);
          }},
-        {"check integral (78 kernels), warm", 1000,
+        {"check integral (80 kernels), warm", 1000,
          [&](int) {
              return run({"check", "integral"}, warm);
          }},
