@@ -67,9 +67,7 @@ void add_errors(std::vector<Move>& moves, const KernelRecord& before, const Kern
         // Errors of one distribution by two measures: the second one is told where it decides, or alone.
         if (in_scale && !worse) parts.resize(told);
     }
-    if (before.error.non_finite != now.error.non_finite &&
-        is_another(static_cast<double>(before.error.non_finite), static_cast<double>(now.error.non_finite),
-                   rules)) {
+    if (before.error.non_finite != now.error.non_finite) {
         parts.push_back(
             fmt::format("results not finite {} -> {}", before.error.non_finite, now.error.non_finite));
         if (now.error.non_finite > before.error.non_finite) larger = worse = true;
@@ -146,10 +144,7 @@ void compare_technique(Moved& result, const std::string& name, const TechniqueRe
     const std::size_t was = before.wrong_lit + before.wrong_shadowed;
     const std::size_t is = now.wrong_lit + now.wrong_shadowed;
     std::vector<std::string> parts;
-    const auto differ = [&](std::size_t a, std::size_t b) {
-        return a != b && is_another(static_cast<double>(a), static_cast<double>(b), rules);
-    };
-    if (differ(before.wrong_lit, now.wrong_lit) || differ(before.wrong_shadowed, now.wrong_shadowed))
+    if (before.wrong_lit != now.wrong_lit || before.wrong_shadowed != now.wrong_shadowed)
         parts.push_back(fmt::format("wrong pixels {} -> {} (lit {} -> {}, shadowed {} -> {})", was, is,
                                     before.wrong_lit, now.wrong_lit, before.wrong_shadowed,
                                     now.wrong_shadowed));

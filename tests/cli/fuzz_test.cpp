@@ -138,8 +138,7 @@ TEST_F(fuzz_verb, shrinks_a_mask_to_three_by_three_texels) {
 
 TEST_F(fuzz_verb, finds_the_same_on_any_number_of_jobs_and_in_shards) {
     const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y < 0.98 * along_x");
-    // Two rounds of all cases and what is assembled from them.
-    const testing::Arguments campaign{"smsr/[cv]*", "--samples", "6000000", "--format", "json"};
+    const testing::Arguments campaign{"smsr", "--samples", "9000000", "--format", "json"};
     using testing::operator+;
     struct Found {
         std::map<std::string, std::string> texts;
@@ -154,7 +153,7 @@ TEST_F(fuzz_verb, finds_the_same_on_any_number_of_jobs_and_in_shards) {
         return found;
     };
     const Found one = found_by({"--jobs", "1"}), three = found_by({"--jobs", "3"});
-    EXPECT_GE(one.texts.size(), 2u);
+    EXPECT_GE(one.texts.size(), 3u);
     EXPECT_EQ(one.texts, three.texts);
     EXPECT_EQ(one.evaluations, three.evaluations);
     const Found first = found_by({"--shard", "1/2"}), second = found_by({"--shard", "2/2"});
@@ -209,11 +208,9 @@ TEST_F(fuzz_verb, names_every_way_to_fail) {
 TEST_F(fuzz_verb, goes_on_where_it_was_killed) {
     const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y < 0.98 * along_x");
     const std::string journal = (folder_.path() / "journal").string();
-    const testing::Arguments campaign{"smsr/case_*", "--samples", "6000000", "--jobs",
-                                      "2",           "--journal", journal};
+    const testing::Arguments campaign{"smsr", "--samples", "9000000", "--jobs", "2", "--journal", journal};
     const auto killed = testing::run_shell(fmt::format(
-        "gnomon fuzz 'smsr/case_*' --samples 6000000 --jobs 2 --journal '{0}' --kernels '{1}' "
-        "--regressions '{2}' & "
+        "gnomon fuzz smsr --samples 9000000 --jobs 2 --journal '{0}' --kernels '{1}' --regressions '{2}' & "
         "while ! [ -s '{0}' ] || [ $(wc -l < '{0}') -lt 8 ]; do sleep 0.02; done; kill -9 $!; wait $!",
         journal, changed.folder().string(), found_.string()));
     ASSERT_TRUE(fs::exists(journal)) << killed.err;
@@ -238,7 +235,7 @@ TEST_F(fuzz_verb, ends_when_it_is_interrupted_and_keeps_its_journal) {
         fmt::format("timeout -s INT 3 gnomon fuzz smsr --seconds 90 --journal '{}' --regressions '{}'",
                     journal, found_.string()));
     EXPECT_THAT(ran.out, HasSubstr("interrupted; the same command goes on from here"));
-    EXPECT_LT(ran.seconds, 85) << "it was to take 90";
+    EXPECT_LT(ran.seconds, 60);
     EXPECT_TRUE(fs::exists(journal));
 }
 

@@ -99,7 +99,7 @@ TEST(check, reports_do_not_depend_on_the_number_of_jobs) {
     const std::vector<const Case*> cases = find_cases("");
     const std::vector<CheckReport> alone = check(cases, options);
     ASSERT_EQ(alone.size(), cases.size());
-    for (const unsigned jobs : {1u, 3u}) {
+    for (const unsigned jobs : {1u, 3u, 0u}) {
         options.jobs = jobs;
         const std::vector<CheckReport> reports = check(cases, options);
         ASSERT_EQ(reports.size(), cases.size());

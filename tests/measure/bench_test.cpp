@@ -2,10 +2,14 @@
 #include "casegen/measure/bench.h"
 
 #include "casegen/catalogue.h"
+#include "casegen/mask_families.h"
 #include "casegen/measure/charts.h"
+#include "casegen/measure/loop.h"
 #include "casegen/measure/pareto.h"
 #include "casegen/measure/report.h"
 #include "casegen/measure/tables.h"
+#include "casegen/sampling.h"
+#include "casegen/standalone.h"
 #include "runtime/files.h"
 #include "tests/support/device.h"
 #include "tests/support/environment.h"
@@ -15,8 +19,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <numeric>
 #include <regex>
 
 namespace gnomon::measure {
@@ -129,7 +136,46 @@ TEST(bench, everything_but_times_is_the_same_on_any_number_of_jobs) {
     EXPECT_NE(bench_json(Report{measured(family, options)}), one);
 }
 
-// How long anything takes is no test's: a busy machine would fail it.
+/// What is timed is every call that it says, on the record it says: none left out, none moved out of the
+/// loop.
+TEST(loop, makes_every_call_and_reads_every_record) {
+    gpu::Device& device = testing::shared_device();
+    const Case& c = find_case("smsr/case_09");
+    const glsl::Sources sources = kernel_sources(testing::kernels_folder());
+    const Sampler sampler(c, 5, std::make_shared<const EdgePool>(make_edge_pool(5)));
+    const Records drawn = draw_records(c, sampler, sampler.fixed_count(), sampler.fixed_count() + 3000);
+    std::vector<std::size_t> chosen(drawn.size());
+    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+    const LoopBuffers buffers = upload_for_loops(device, c, drawn, chosen, 3);
+
+    const auto words = device.read<std::uint32_t>(buffers.records);
+    Records timed(c);
+    ASSERT_EQ(words.size(), timed_records * timed.stride());
+    std::vector<std::uint32_t> read(timed_records);
+    for (std::uint32_t i = 0; i < timed_records; ++i) {
+        const auto input = std::span(words).subspan(i * timed.stride(), word_count(c));
+        timed.add(input, nullptr);
+        for (const std::uint32_t word : input) read[i] += word;
+    }
+    const std::vector<std::uint32_t> called = evaluate(device, sources, c, timed).words;
+    EXPECT_GT(std::ranges::count(called, 0u), 300);
+    EXPECT_LT(std::ranges::count(called, 0u), timed_records - 300);
+    for (const Repeated what : {Repeated::calls, Repeated::reads}) {
+        Loop loop = make_loop(device, c, sources, what, buffers, 1e5);
+        run_once(device, loop, buffers);
+        const auto sums = device.read<std::uint32_t>(buffers.results);
+        const std::vector<std::uint32_t>& values = what == Repeated::calls ? called : read;
+        for (std::uint32_t thread = 0; thread < loop.threads; ++thread) {
+            std::uint32_t sum = 0;
+            for (std::uint32_t i = 0; i < evaluations_per_thread; ++i)
+                sum += values[(thread + i * repeated_stride) % timed_records];
+            ASSERT_EQ(sums[thread], sum)
+                << "thread " << thread << (what == Repeated::calls ? "" : ", reading");
+        }
+    }
+}
+
+// How long that takes is no test's: a busy machine would fail it.
 TEST(bench, times_are_given_per_class_and_decide_what_is_dominated) {
     const SineFamily family;
     BenchOptions options = options_for(family);
