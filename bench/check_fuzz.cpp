@@ -14,6 +14,7 @@
 #include "casegen/catalogue.h"
 #include "casegen/mutate/operators.h"
 #include "casegen/pattern.h"
+#include "runtime/clock.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
 
@@ -27,7 +28,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -64,7 +64,7 @@ Ran fuzz(std::vector<std::string> arguments, const fs::path& folder) {
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
                                      0644);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    const auto start = std::chrono::steady_clock::now();
+    const double start = gnomon::seconds_now();
     pid_t child = 0;
     const int failed = posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -73,7 +73,7 @@ Ran fuzz(std::vector<std::string> arguments, const fs::path& folder) {
     rusage used{};
     wait4(child, &status, 0, &used);
     Ran ran;
-    ran.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ran.seconds = gnomon::seconds_now() - start;
     const auto seconds = [](const timeval& time) {
         return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };

@@ -4,6 +4,7 @@
 #include "casegen/fuzz/journal.h"
 #include "cli/commands.h"
 #include "cli/fuzz_report.h"
+#include "cli/interrupt.h"
 #include "cli/parse.h"
 #include "cli/view.h"
 #include "runtime/error.h"
@@ -11,23 +12,18 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-#include <csignal>
 #include <memory>
 
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct FuzzCommand {
     std::string pattern, seed = "1", shard = "1/1", format = "text", samples;
     double seconds = 60;
     unsigned jobs = 0;
     bool restart = false, until_found = false;
     std::filesystem::path regressions = GNOMON_SOURCE_DIR "/fixtures/regressions", journal;
 };
-
-std::atomic<bool> stop = false;
-extern "C" void stop_fuzzing(int) { stop = true; }
 
 /// "2/8": the second of eight. Counted from 0 in `shard`.
 void parse_shard(const std::string& text, fuzz::CampaignOptions& options) {
@@ -41,7 +37,7 @@ void parse_shard(const std::string& text, fuzz::CampaignOptions& options) {
     options.shards = count;
 }
 
-int run(const Options& options, const Common& common, bool limited, const std::string& replay) {
+int run(const FuzzCommand& options, const Common& common, bool limited, const std::string& replay) {
     std::vector<const Case*> cases;
     for (const Case* c : fuzz::find_subjects(options.pattern))
         if (c->fails.empty()) cases.push_back(c); // those that must fail need no proof
@@ -60,7 +56,6 @@ int run(const Options& options, const Common& common, bool limited, const std::s
     campaign.until_found = options.until_found;
     campaign.device = common.device;
     if (!limited) campaign.device.time_limit = 5;
-    campaign.stop = &stop;
     parse_shard(options.shard, campaign);
     require_kernels(common.kernels);
     campaign.journal = options.journal;
@@ -72,8 +67,7 @@ int run(const Options& options, const Common& common, bool limited, const std::s
     if (options.restart) std::filesystem::remove(campaign.journal);
     fuzz::load_regressions(campaign.regressions); // malformed ones are told before anything is printed
     { const fuzz::Journal journal(campaign.journal); }
-    std::signal(SIGINT, stop_fuzzing);
-    std::signal(SIGTERM, stop_fuzzing);
+    campaign.stop = &interrupted_by_signals();
     fuzz::CampaignReport report;
     {
         FuzzProgress progress;
@@ -93,7 +87,7 @@ int run(const Options& options, const Common& common, bool limited, const std::s
 void add_fuzz(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "fuzz", "search inputs on which kernels are wrong, crash or hang; shrink and keep what is found");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<FuzzCommand>();
     verb->add_option("PATTERN", options->pattern,
                      "part of a name, or a pattern with * and ?, of kernels, of chains over masks "
                      "(chain/…)\nand over scenes (scene/…) (default: all)");

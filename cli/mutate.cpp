@@ -3,6 +3,7 @@
 #include "casegen/mutate/campaign.h"
 #include "casegen/standalone.h"
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/mutate_report.h"
 #include "cli/parse.h"
 #include "cli/progress.h"
@@ -13,14 +14,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <memory>
 
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct MutateCommand {
     std::string pattern, format = "text", seed, operators, mutant;
     std::optional<std::size_t> samples, limit;
     unsigned jobs = 0;
@@ -28,9 +27,6 @@ struct Options {
     std::filesystem::path json, equivalents = GNOMON_SOURCE_DIR "/fixtures/mutants/equivalent.json",
                                 regressions = GNOMON_SOURCE_DIR "/fixtures/regressions";
 };
-
-std::atomic<bool> stop = false;
-extern "C" void stop_mutating(int) { stop = true; }
 
 std::vector<mutate::Operator> operators_of(const std::string& list) {
     if (list.empty()) return mutate::all_operators();
@@ -57,7 +53,7 @@ std::vector<const Case*> cases_of(const std::string& patterns) {
     return cases;
 }
 
-int run(const Options& options, const Common& common, bool limited, const std::string& replay) {
+int run(const MutateCommand& options, const Common& common, bool limited, const std::string& replay) {
     const std::vector<const Case*> cases = cases_of(options.pattern);
     require_kernels(common.kernels);
     if (!options.json.empty()) require_writable(options.json);
@@ -77,7 +73,6 @@ int run(const Options& options, const Common& common, bool limited, const std::s
     campaign.limit = options.limit;
     campaign.only = options.mutant;
     campaign.jobs = options.jobs;
-    campaign.stop = &stop;
     const glsl::Sources sources = kernel_sources(common.kernels);
     if (options.show) {
         for (const mutate::Mutant& mutant : mutate::mutants_of(cases, sources, campaign.operators))
@@ -87,8 +82,7 @@ int run(const Options& options, const Common& common, bool limited, const std::s
             }
         throw Error("none of these kernels has a mutant {}", options.mutant);
     }
-    std::signal(SIGINT, stop_mutating);
-    std::signal(SIGTERM, stop_mutating);
+    campaign.stop = &interrupted_by_signals();
     mutate::CampaignReport report;
     {
         Progress progress("mutating");
@@ -112,7 +106,7 @@ int run(const Options& options, const Common& common, bool limited, const std::s
 void add_mutate(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("mutate", "change kernels a little, and require that their checks turn red");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MutateCommand>();
     verb->add_option(
         "PATTERN", options->pattern,
         "part of a name, or a pattern with * and ?; several apart by commas (default: all kernels)");

@@ -2,6 +2,7 @@
 #include "casegen/check.h"
 #include "casegen/worst/file.h"
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/parse.h"
 #include "cli/progress.h"
 #include "cli/report.h"
@@ -10,22 +11,17 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <memory>
 
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct WorstCommand {
     std::string kernel, seed;
     std::filesystem::path folder = GNOMON_SOURCE_DIR "/fixtures/worst";
     worst::SearchOptions search;
 };
-
-std::atomic<bool> stop = false;
-extern "C" void stop_searching(int) { stop = true; }
 
 std::string describe_error(const Case& c, const std::vector<worst::Row>& rows) {
     if (rows.empty()) return "nothing";
@@ -33,7 +29,7 @@ std::string describe_error(const Case& c, const std::vector<worst::Row>& rows) {
                        rows.front().passes ? "" : ", which fails", to_string(c.tolerance));
 }
 
-int run(const Options& options, const Common& common, const std::string& replay) {
+int run(const WorstCommand& options, const Common& common, const std::string& replay) {
     const Case& c = find_case(options.kernel);
     if (!c.fails.empty()) throw Error("{} must fail, nothing is to be searched: {}", c.name, c.fails);
     if (std::isnan(options.search.seconds)) throw Error("--seconds nan: not a number of seconds");
@@ -46,9 +42,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     search.seed = parse_seed(options.seed);
     search.worst = path;
     search.pins = GNOMON_SOURCE_DIR "/fixtures/pins/" + c.name + ".csv";
-    search.stop = &stop;
-    std::signal(SIGINT, stop_searching);
-    std::signal(SIGTERM, stop_searching);
+    search.stop = &interrupted_by_signals();
     worst::Found found;
     {
         Progress progress("searching");
@@ -63,7 +57,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
     worst::write_worst(path, c, found);
 
     fmt::print("{}: {} evaluations, seed {:#018x}{}\n", c.name, found.evaluations, found.seed,
-               stop ? "; interrupted" : "");
+               *search.stop ? "; interrupted" : "");
     fmt::print("  before: {}\n  now:    {}\n", describe_error(c, found.before),
                describe_error(c, found.rows));
     if (found.rows.empty()) {
@@ -84,7 +78,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
 void add_worst(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "worst", "search the inputs on which a kernel is most wrong; every check begins with them");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<WorstCommand>();
     verb->add_option("KERNEL", options->kernel, "as gnomon list prints it: integral/mix/radiance")
         ->required();
     verb->add_option("--seconds", options->search.seconds,

@@ -1,12 +1,12 @@
 #include "runtime/process.h"
 
+#include "runtime/clock.h"
 #include "runtime/error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -82,10 +82,6 @@ Answer attempt(const std::function<std::string()>& work) {
         if (!write_message(socket, answer.kind, answer.text)) break;
     }
     ::_exit(0); // no destructors: a driver's threads may be past joining
-}
-
-double seconds_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// poll() until `deadline`, whatever signals arrive but one that wants this process to stop waiting.

@@ -5,13 +5,13 @@
 #include "casegen/fuzz/journal.h"
 #include "casegen/fuzz/plan.h"
 #include "casegen/fuzz/workers.h"
+#include "runtime/clock.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <set>
 #include <thread>
@@ -22,10 +22,6 @@ namespace {
 
 /// A kernel whose units crash or hang so often is given up: each costs the time limit many times.
 constexpr int most_deaths = 2;
-
-double seconds_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Findings by kernel and failure, each of the lowest unit that met it, and their files.
 class Findings {

@@ -1,10 +1,10 @@
 #include "casegen/fuzz/workers.h"
 
+#include "runtime/clock.h"
 #include "runtime/error.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <new>
 
@@ -17,10 +17,6 @@ static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "children share t
 
 /// Beyond what dispatches may take: drawing, judging and shrinking end, but a driver's compiler might not.
 constexpr double patience = 300;
-
-double seconds_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::string serve(Fuzzer& fuzzer, std::span<const Case* const> cases, std::atomic<std::uint32_t>& batch,
                   const std::string& text) {

@@ -2,26 +2,17 @@
 
 #include "casegen/measure/loop.h"
 #include "casegen/measure/quantiles.h"
+#include "runtime/clock.h"
 #include "runtime/error.h"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 namespace gnomon::measure {
 namespace {
 
 constexpr double dispatch_nanoseconds = 4e6; // many short rounds, so that a hiccup costs few of them
 constexpr std::size_t floor_rounds = 16;     // reading is only taken off: it needs no more
-
-double seconds_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double median_of(std::vector<double> values) {
-    std::ranges::sort(values);
-    return quantile(values, 0.5);
-}
 
 /// A, B, A again, in one of their six orders.
 std::array<std::size_t, 3> order_of(std::uint64_t seed, std::size_t round) {

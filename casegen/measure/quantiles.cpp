@@ -12,6 +12,11 @@ double quantile(std::span<const double> sorted, double fraction) {
     return sorted[rank < 1 ? 0 : std::min(static_cast<std::size_t>(rank), sorted.size()) - 1];
 }
 
+double median_of(std::vector<double> values) {
+    std::ranges::sort(values);
+    return quantile(values, 0.5);
+}
+
 Quantiles quantiles(std::vector<double> values) {
     Quantiles result;
     result.count = values.size();

@@ -20,6 +20,9 @@ struct Quantiles {
 /// them, so that infinity is never averaged with anything. `sorted` must be; NaN is not a value.
 double quantile(std::span<const double> sorted, double fraction);
 
+/// The lower of both in the middle of an even number of values. Of at least one.
+double median_of(std::vector<double> values);
+
 /// Of any values; NaN is taken for infinity. All 0 of none.
 Quantiles quantiles(std::vector<double> values);
 

@@ -14,11 +14,6 @@
 namespace gnomon::measure {
 namespace {
 
-double median_of(std::vector<double> values) {
-    std::ranges::sort(values);
-    return quantile(values, 0.5);
-}
-
 Timings time_on(gpu::Device& device, const Group& group, const LoopBuffers& buffers,
                 const TimingOptions& options, const std::function<void()>& done) {
     const std::size_t count = group.variants.size();

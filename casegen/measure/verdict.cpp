@@ -15,11 +15,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_floor = 0.8; // of a time
 
-double median_of(std::vector<double> values) {
-    std::ranges::sort(values);
-    return quantile(values, 0.5);
-}
-
 std::vector<double> log_ratios(std::span<const double> over, std::span<const double> under) {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < over.size(); ++i) ratios.push_back(std::log(over[i] / under[i]));

@@ -2,13 +2,13 @@
 
 #include "casegen/check.h"
 #include "casegen/standalone.h"
+#include "runtime/clock.h"
 #include "runtime/error.h"
 #include "runtime/process.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <deque>
 #include <map>
@@ -18,10 +18,6 @@
 
 namespace gnomon::mutate {
 namespace {
-
-double seconds_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// What a worker says: the outcome's number or 't' for a dispatch that did not end, a blank, and the rest in
 /// words.

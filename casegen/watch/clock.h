@@ -1,7 +1,8 @@
-// The session's clock, and how long it waits for what. Seconds.
+// How long the session waits for what, in seconds.
 #pragma once
 
-#include <chrono>
+#include "runtime/clock.h"
+
 #include <limits>
 
 namespace gnomon::watch {
@@ -15,9 +16,5 @@ constexpr double overdue = 0.5;         ///< a worker that is busy with an outda
 constexpr double stealing = 0.25;       ///< so long a kernel waits for its own worker
 constexpr double first_patience = 300;  ///< truths may have to be computed
 constexpr double compile_patience = 20; ///< besides what dispatches may take
-
-inline double seconds_now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 } // namespace gnomon::watch

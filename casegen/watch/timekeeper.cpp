@@ -14,11 +14,6 @@ namespace {
 
 constexpr unsigned timed_rounds = 12;
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return measure::quantile(values, 0.5);
-}
-
 } // namespace
 
 Timekeeper::Timekeeper(const Shared& shared, const std::function<void(const Event&)>& tell)
@@ -110,9 +105,9 @@ void Timekeeper::tell_times() {
     Timed told;
     told.kernel = shared_.cases[now_->request.kernel];
     told.edit = now_->edit;
-    told.before = median(times.a);
-    told.after = median(times.b);
-    told.reading = median(now_->reading);
+    told.before = measure::median_of(times.a);
+    told.after = measure::median_of(times.b);
+    told.reading = measure::median_of(now_->reading);
     times.floor = told.reading;
     told.pace = measure::judge_times(times);
     told.with_reading = told.pace.with_floor;

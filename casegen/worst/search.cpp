@@ -5,10 +5,10 @@
 #include "casegen/measure/inputs.h"
 #include "casegen/standalone.h"
 #include "casegen/worst/change.h"
+#include "runtime/clock.h"
 #include "runtime/error.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -115,10 +115,8 @@ void Worst::add(Row row) {
 Found search(const Case& c, const SearchOptions& options,
              const std::function<void(double, std::size_t, double)>& progress) {
     require_kernels(options.kernels);
-    const auto start = std::chrono::steady_clock::now();
-    const auto seconds = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
+    const double start = seconds_now();
+    const auto seconds = [&] { return seconds_now() - start; };
     Found found;
     found.seed = options.seed.value_or(default_seed(c));
     const auto pool = std::make_shared<const EdgePool>(make_edge_pool(default_seed("masks")));

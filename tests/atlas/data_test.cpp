@@ -4,6 +4,7 @@
 #include "casegen/atlas/values.h"
 #include "casegen/mask_families.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,13 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using gnomon::testing::error_of;
 using gnomon::testing::TemporaryFolder;
+using testing::count_of;
 using ::testing::HasSubstr;
-
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t found = 0;
-    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++found;
-    return found;
-}
 
 std::vector<const Case*> numbered_cases() {
     std::vector<const Case*> numbered;
@@ -37,11 +33,11 @@ TEST(witness_picture, has_texels_ring_and_arrows) {
     const std::string svg = witness_svg(witness, "a <b>");
     EXPECT_THAT(svg, HasSubstr("width=\"160\" height=\"160\""));
     EXPECT_THAT(svg, HasSubstr("<title>a &lt;b&gt;</title>"));
-    EXPECT_EQ(count(svg, "class=\"lit\"") + count(svg, "class=\"dark\""), 16u);
-    EXPECT_EQ(count(svg, "class=\"dark\""), 1u);
-    EXPECT_EQ(count(svg, "class=\"beyond\""), 12u);
-    EXPECT_EQ(count(svg, "class=\"tested\""), 1u);
-    EXPECT_EQ(count(svg, "class=\"head\""), 1u);
+    EXPECT_EQ(count_of(svg, "class=\"lit\"") + count_of(svg, "class=\"dark\""), 16u);
+    EXPECT_EQ(count_of(svg, "class=\"dark\""), 1u);
+    EXPECT_EQ(count_of(svg, "class=\"beyond\""), 12u);
+    EXPECT_EQ(count_of(svg, "class=\"tested\""), 1u);
+    EXPECT_EQ(count_of(svg, "class=\"head\""), 1u);
     EXPECT_THAT(svg, HasSubstr("<path class=\"shaft\" d=\"M64.8 60 L84.8 60\"/>")); // towards +x
 }
 
@@ -50,7 +46,7 @@ TEST(witness_picture, an_arrow_for_every_side_that_differs) {
         const std::optional<Witness> witness = smallest_witness(*c);
         ASSERT_TRUE(witness) << c->name;
         const glm::uvec2 sides = reference::edge(witness->mask, witness->texel).sides;
-        EXPECT_EQ(count(witness_svg(*witness, ""), "class=\"head\""),
+        EXPECT_EQ(count_of(witness_svg(*witness, ""), "class=\"head\""),
                   static_cast<std::size_t>(std::popcount(sides.x) + std::popcount(sides.y)))
             << c->name;
     }

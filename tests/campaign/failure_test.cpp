@@ -1,16 +1,16 @@
 #include "casegen/fuzz/failure.h"
 
 #include "casegen/catalogue.h"
+#include "tests/support/text.h"
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <limits>
 
 namespace gnomon::fuzz {
 namespace {
 
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
+using testing::bits;
 
 std::string failure(const std::string& kernel, const std::vector<std::uint32_t>& words, float result,
                     const Mask* mask = nullptr) {

@@ -2,6 +2,7 @@
 #include "casegen/fuzz/shrink.h"
 
 #include "casegen/catalogue.h"
+#include "tests/support/text.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,8 @@
 
 namespace gnomon::fuzz {
 namespace {
+
+using testing::bits;
 
 using Fails = std::function<bool(const Input&)>;
 
@@ -24,7 +27,6 @@ Shrunk shrink_while(const Case& c, const Input& input, const Fails& fails) {
 
 float number(const Input& input, std::size_t word) { return std::bit_cast<float>(input.words[word]); }
 int whole(const Input& input, std::size_t word) { return std::bit_cast<std::int32_t>(input.words[word]); }
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 TEST(shrink, what_always_fails_shrinks_to_zeros) {
     const Case& c = find_case("smsr/case_09");

@@ -2,6 +2,7 @@
 
 #include "casegen/catalogue.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -10,6 +11,7 @@
 namespace gnomon {
 namespace {
 
+using testing::count_of;
 using ::testing::ElementsAre;
 using testing::error_of;
 using ::testing::HasSubstr;
@@ -22,12 +24,6 @@ std::vector<unsigned> numbers(const std::vector<const Case*>& cases) {
     std::vector<unsigned> result;
     for (const Case* c : cases) result.push_back(c->number);
     return result;
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t found = 0;
-    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++found;
-    return found;
 }
 
 std::vector<std::string> needed(const Assembly& assembly) {
@@ -75,10 +71,10 @@ TEST(assembly, says_which_parameters_a_held_case_takes) {
 TEST(assembly, leaves_out_the_text_of_the_others) {
     for (const Variant variant : all_variants()) {
         const std::string text = assembled(smsr(), {.variant = variant, .cases = {9, 12}});
-        EXPECT_EQ(count(text, "#include \"smsr/"), 2u) << to_string(variant);
-        EXPECT_EQ(count(text, "smsr_case_09("), 1u) << to_string(variant);
-        EXPECT_EQ(count(text, "smsr_case_12("), 1u) << to_string(variant);
-        EXPECT_EQ(count(text, "case_left_out = "), 1u) << to_string(variant);
+        EXPECT_EQ(count_of(text, "#include \"smsr/"), 2u) << to_string(variant);
+        EXPECT_EQ(count_of(text, "smsr_case_09("), 1u) << to_string(variant);
+        EXPECT_EQ(count_of(text, "smsr_case_12("), 1u) << to_string(variant);
+        EXPECT_EQ(count_of(text, "case_left_out = "), 1u) << to_string(variant);
         EXPECT_THAT(assembled(smsr(), {.variant = variant}), Not(HasSubstr("case_left_out = ")))
             << to_string(variant) << ": a full assembly pays nothing";
     }
@@ -94,7 +90,7 @@ TEST(assembly, asks_in_the_order_of_its_cases) {
 TEST(assembly, counts_conditions_on_request_only) {
     EXPECT_THAT(assembled(smsr(), {.variant = Variant::document_order}), Not(HasSubstr("tested")));
     const std::string text = assembled(smsr(), {.variant = Variant::document_order, .count_tests = true});
-    EXPECT_EQ(count(text, "if (condition_tested("), 12u);
+    EXPECT_EQ(count_of(text, "if (condition_tested("), 12u);
 }
 
 // A case stands in each half that an edge of it can be in, and nothing is asked twice.

@@ -1,6 +1,7 @@
 #include "casegen/compare.h"
 
 #include "casegen/random.h"
+#include "tests/support/text.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +14,10 @@
 namespace gnomon {
 namespace {
 
+using testing::bits;
+
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 /// A kernel of one float in [0,1] whose results may lie in [-1000, 1000].
 template <typename Function>

@@ -3,6 +3,7 @@
 #include "casegen/catalogue.h"
 #include "casegen/random.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,13 +15,13 @@
 namespace gnomon {
 namespace {
 
+using testing::bits;
 using ::testing::ElementsAre;
 using testing::error_of;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using testing::TemporaryFolder;
 
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 std::uint32_t word(Scalar scalar, const std::string& cell) { return parse_word(scalar, cell, "here"); }
 std::string word_error(Scalar scalar, const std::string& cell) {
     return error_of([&] { parse_word(scalar, cell, "f.csv: row 3, column p_x"); });

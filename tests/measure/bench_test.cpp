@@ -14,6 +14,7 @@
 #include "tests/support/device.h"
 #include "tests/support/environment.h"
 #include "tests/support/sine_family.h"
+#include "tests/support/text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,6 +31,7 @@ namespace gnomon::measure {
 namespace {
 
 using ::testing::AllOf;
+using testing::count_of;
 using ::testing::ElementsAre;
 using testing::error_of;
 using ::testing::HasSubstr;
@@ -48,12 +50,6 @@ BenchOptions options_for(const SineFamily& family) {
 
 Bench measured(const SineFamily& family, const BenchOptions& options) {
     return bench(group(family.pointers(), std::array{Trigonometry::portable}, family.kernels()), options);
-}
-
-std::size_t count_of(const std::string& text, const std::string& what) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++count;
-    return count;
 }
 
 TEST(bench, groups_kernels_by_their_quantity) {

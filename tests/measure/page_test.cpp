@@ -8,6 +8,7 @@
 #include "tests/support/environment.h"
 #include "tests/support/html.h"
 #include "tests/support/sine_family.h"
+#include "tests/support/text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,15 +20,10 @@ namespace gnomon::measure {
 namespace {
 
 using ::testing::AllOf;
+using testing::count_of;
 using testing::error_of;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-std::size_t count_of(const std::string& text, const std::string& what) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++count;
-    return count;
-}
 
 FrameRow row(const std::string& technique, double milliseconds, std::size_t wrong, Rgb colour) {
     FrameRow made;

@@ -3,19 +3,15 @@
 #include "runtime/glsl/compiler.h"
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 #include <gtest/gtest.h>
 
 namespace gnomon {
 namespace {
 
+using testing::count_of;
 using testing::TemporaryFolder;
-
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t found = 0;
-    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
-    return found;
-}
 
 std::string message_of(const glsl::Sources& sources, const std::string& text) {
     try {
@@ -35,8 +31,8 @@ TEST(glsl, a_file_is_included_once_however_often_it_is_named) {
     folder.write("b.glsl", "float b() { return 1.0; }\n");
     const std::string text =
         glsl::expand({folder.path(), {}}, "#include \"b.glsl\"\n#include \"a.glsl\"\n", "main");
-    EXPECT_EQ(count(text, "float b()"), 1u);
-    EXPECT_EQ(count(text, "float a()"), 1u);
+    EXPECT_EQ(count_of(text, "float b()"), 1u);
+    EXPECT_EQ(count_of(text, "float a()"), 1u);
     EXPECT_LT(text.find("float b()"), text.find("float a()"));
 }
 
@@ -45,15 +41,15 @@ TEST(glsl, files_may_include_each_other) {
     folder.write("a.glsl", "#include \"b.glsl\"\nint a;\n");
     folder.write("b.glsl", "#include \"a.glsl\"\nint b;\n");
     const std::string text = glsl::expand({folder.path(), {}}, "#include \"a.glsl\"\n", "main");
-    EXPECT_EQ(count(text, "int a;"), 1u);
-    EXPECT_EQ(count(text, "int b;"), 1u);
+    EXPECT_EQ(count_of(text, "int a;"), 1u);
+    EXPECT_EQ(count_of(text, "int b;"), 1u);
 }
 
 TEST(glsl, generated_texts_are_included_by_angle_brackets) {
     const TemporaryFolder folder;
     const std::string text =
         glsl::expand({folder.path(), {{"x/cases", "int generated;\n"}}}, "#include <x/cases>\n", "m");
-    EXPECT_EQ(count(text, "int generated;"), 1u);
+    EXPECT_EQ(count_of(text, "int generated;"), 1u);
     EXPECT_THROW(glsl::expand({folder.path(), {}}, "#include <x/cases>\n", "m"), CompileError);
 }
 
@@ -62,10 +58,10 @@ TEST(glsl, an_overlaid_text_stands_for_the_file_and_keeps_its_name) {
     folder.write("a.glsl", "int a;\n");
     glsl::Sources sources{folder.path(), {}, {{"a.glsl", "int other;\n"}, {"new.glsl", "int added;\n"}}};
     const std::string text = glsl::expand(sources, "#include \"a.glsl\"\n#include \"new.glsl\"\n", "main");
-    EXPECT_EQ(count(text, "int a;"), 0u);
-    EXPECT_EQ(count(text, "int other;"), 1u);
-    EXPECT_EQ(count(text, "int added;"), 1u);
-    EXPECT_EQ(count(text, "/a.glsl\"\n"), 1u);
+    EXPECT_EQ(count_of(text, "int a;"), 0u);
+    EXPECT_EQ(count_of(text, "int other;"), 1u);
+    EXPECT_EQ(count_of(text, "int added;"), 1u);
+    EXPECT_EQ(count_of(text, "/a.glsl\"\n"), 1u);
 }
 
 TEST(glsl, a_missing_include_is_an_error_on_its_line) {

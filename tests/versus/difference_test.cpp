@@ -2,22 +2,22 @@
 #include "casegen/versus/difference.h"
 
 #include "casegen/catalogue.h"
+#include "tests/support/text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 
 namespace gnomon::versus {
 namespace {
 
+using testing::bits;
+
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t nan = 0x7fc00000u, other_nan = 0xffc00001u;
-
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 ResultDifference of_floats(std::uint32_t a, std::uint32_t b) {
     return difference_of({Scalar::float32, 1}, std::array{a}, std::array{b});

@@ -3,19 +3,17 @@
 
 #include "casegen/catalogue.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <bit>
-
 namespace gnomon::versus {
 namespace {
 
+using testing::bits;
 using testing::error_of;
 using ::testing::HasSubstr;
-
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 TEST(axes, are_those_that_tell_most_unless_one_says) {
     const Case& c = find_case("smsr/case_09");
