@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct AtlasCommand {
     fs::path folder;
     std::vector<fs::path> censuses;
     std::string seed;
@@ -35,7 +35,7 @@ coverage::Coverage measure_coverage(const CheckOptions& check) {
     return coverage::measure(cases, what, [&](std::size_t done) { progress.show(done, total); });
 }
 
-int run(const Options& options, const Common& common, const std::string& replay) {
+int run(const AtlasCommand& options, const Common& common, const std::string& replay) {
     atlas::Options what = atlas_options(common);
     for (const fs::path& census : options.censuses) what.censuses.push_back(atlas::read_census(census));
     what.check.samples = options.samples;
@@ -61,7 +61,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
 void add_atlas(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "atlas", "write one HTML page about every case: mask, condition, formula, values, error, cost");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<AtlasCommand>();
     verb->add_option("OUT_DIR", options->folder, "folder for index.html, made if it is missing")
         ->required()
         ->check(not_empty());

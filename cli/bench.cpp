@@ -22,7 +22,7 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct BenchCommand {
     std::string pattern, seed, format = "text";
     std::filesystem::path out, save, against, mutation, coverage;
     measure::BenchOptions bench;
@@ -37,7 +37,7 @@ struct Options {
 
 /// What all kernels and techniques are measured with: the baseline's own inputs, if there is one, or what is
 /// compared would be chance. Throws Error if the options say otherwise.
-measure::BenchOptions bench_options(const Options& options, const Common& common,
+measure::BenchOptions bench_options(const BenchCommand& options, const Common& common,
                                     const std::optional<measure::Baseline>& baseline) {
     measure::BenchOptions result = options.bench;
     result.kernels = common.kernels;
@@ -89,7 +89,7 @@ measure::Moved moved_since(const measure::Baseline& baseline, const measure::Rep
 }
 
 /// Throws Error now if what is to be written could not be later, or would replace another.
-void require_outputs(const Options& options) {
+void require_outputs(const BenchCommand& options) {
     if (options.out_is_page())
         require_writable(options.out);
     else if (!options.out.empty())
@@ -101,7 +101,7 @@ void require_outputs(const Options& options) {
         throw Error("--out and --save both name '{}'; each needs a file of its own", options.save.string());
 }
 
-int run(const Options& options, const Common& common) {
+int run(const BenchCommand& options, const Common& common) {
     std::vector<Trigonometry> modes;
     for (const std::string& mode : options.trigonometry) modes.push_back(parse_trigonometry(mode));
     require_kernels(common.kernels);
@@ -166,7 +166,7 @@ int run(const Options& options, const Common& common) {
 void add_bench(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "bench", "measure how wrong kernels and techniques are and how long they take, side by side");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchCommand>();
     options->verb = verb;
     verb->add_option(
         "PATTERN", options->pattern,

@@ -18,7 +18,7 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct BenchHybridCommand {
     std::string scene;
     ViewOptions view;
     std::vector<std::string> sizes{"512x512", "1024x1024", "1920x1080"};
@@ -35,7 +35,7 @@ void require_different(const std::vector<T>& values, const char* option) {
             throw Error("{} has {} twice", option, values[i]);
 }
 
-int run(const Options& options, const Common& common) {
+int run(const BenchHybridCommand& options, const Common& common) {
     require_different(options.sizes, "--sizes");
     require_different(options.bench.shadow_maps, "--shadow-maps");
     require_different(options.bench.techniques, "--techniques");
@@ -83,7 +83,7 @@ int run(const Options& options, const Common& common) {
 void add_bench_hybrid(CLI::App& bench, Common& common, int& exit_code) {
     CLI::App* verb = bench.add_subcommand(
         "hybrid", "hybrid shadows against a ray for every pixel: time, rays, memory, errors, break-even");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchHybridCommand>();
     verb->add_option("SCENE", options->scene, "glTF, OBJ or PLY file (default: the demo scene)")
         ->check(not_empty());
     verb->add_option("--sizes", options->sizes, "viewports, WIDTHxHEIGHT, parted by commas")
@@ -111,7 +111,7 @@ void add_bench_hybrid(CLI::App& bench, Common& common, int& exit_code) {
     verb->remove_option(verb->get_option("--size")); // --sizes
     verb->footer("  gnomon bench hybrid city.glb --out out/hybrid\n"
                  "  gnomon bench hybrid --sizes 1024x1024 --shadow-maps 1024 --techniques lists,auto");
-    // Options that are not its own fall through to bench, whose they are, and would be ignored.
+    // BenchHybridCommand that are not its own fall through to bench, whose they are, and would be ignored.
     verb->callback([options, &bench, &common, &exit_code] {
         for (const CLI::Option* option : bench.get_options())
             if (option->count() > 0) throw Error("{} is not an option of bench hybrid", option->get_name());

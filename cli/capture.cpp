@@ -25,7 +25,7 @@ namespace {
 
 using Pixels = std::vector<std::uint32_t>;
 
-struct Options {
+struct CaptureCommand {
     std::string scene, technique, case_name, kernel;
     std::vector<std::string> pixels, readings;
     ViewOptions view;
@@ -54,7 +54,7 @@ bool is_technique(const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-Request request_of(const Options& options) {
+Request request_of(const CaptureCommand& options) {
     Request request;
     if (!options.case_name.empty()) {
         request.numbered = request.kernel = &find_case(options.case_name);
@@ -106,7 +106,7 @@ std::uint32_t parse_pixel(const std::string& text, const ViewSettings& settings)
 }
 
 /// The pixels of --pixel, each once. Throws Error at one that no kernel is asked about.
-Pixels chosen_pixels(const Options& options, Renderer& renderer, const ViewSettings& settings) {
+Pixels chosen_pixels(const CaptureCommand& options, Renderer& renderer, const ViewSettings& settings) {
     Pixels chosen;
     const Pixels asked = asked_pixels(renderer, settings);
     for (const std::string& text : options.pixels) {
@@ -196,7 +196,8 @@ std::size_t unlike_visibility(const Captured& captured) {
 }
 
 /// `common_options` are what a command that replays this must say besides (replay_options).
-void run(const Options& options, const Common& common, const std::string& common_options, int& exit_code) {
+void run(const CaptureCommand& options, const Common& common, const std::string& common_options,
+         int& exit_code) {
     constexpr std::size_t most_windows = 50000; // of 1.4 kB each, as text
     const Request request = request_of(options);
     const std::string name = technique_name(*request.family);
@@ -258,7 +259,7 @@ void run(const Options& options, const Common& common, const std::string& common
 
 void add_capture(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand("capture", "write the exact kernel inputs met in a frame, for eval");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CaptureCommand>();
     verb->add_option("SCENE", options->scene, "glTF, OBJ or PLY file (default: the demo scene)")
         ->check(not_empty());
     verb->add_option("--technique", options->technique,

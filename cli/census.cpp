@@ -22,7 +22,7 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct CensusCommand {
     std::vector<std::string> inputs;
     std::string technique = "smsr", outside = "clamp";
     ViewOptions view;
@@ -44,8 +44,8 @@ struct Census {
     Counts counts;
 };
 
-void count_views(const Options& options, const std::string& path, const Common& common, gpu::Device& device,
-                 std::vector<Census>& found) {
+void count_views(const CensusCommand& options, const std::string& path, const Common& common,
+                 gpu::Device& device, std::vector<Census>& found) {
     const Scene scene = scene_of(path);
     for (const int shadow_map : options.shadow_maps)
         for (unsigned i = 0; i < std::max(options.lights, 1u); ++i) {
@@ -59,8 +59,9 @@ void count_views(const Options& options, const std::string& path, const Common& 
         }
 }
 
-nlohmann::ordered_json json_of(const Options& options, const Family& family, const std::vector<Census>& found,
-                               const std::vector<CaseShare>& shares, const gpu::Device& device) {
+nlohmann::ordered_json json_of(const CensusCommand& options, const Family& family,
+                               const std::vector<Census>& found, const std::vector<CaseShare>& shares,
+                               const gpu::Device& device) {
     nlohmann::ordered_json of_family = nlohmann::ordered_json::object(), cases, censuses;
     for (const CaseShare& s : shares) {
         of_family[std::to_string(s.c->number)] = s.mean;
@@ -102,7 +103,7 @@ int write_page(const std::filesystem::path& page, const Family& family, const st
     return made.passes() ? 0 : 1;
 }
 
-int run(const Options& options, const Common& common, const std::string& replay) {
+int run(const CensusCommand& options, const Common& common, const std::string& replay) {
     const Family& family = technique_family(options.technique);
     if (!options.json.empty()) require_writable(options.json);
     std::filesystem::path page;
@@ -156,7 +157,7 @@ int run(const Options& options, const Common& common, const std::string& replay)
 
 void add_census(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand("census", "count how often each case of a technique occurs");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CensusCommand>();
     verb->add_option("INPUT", options->inputs,
                      "masks (.png, .txt) and scenes (glTF, OBJ, PLY); default: the demo scene")
         ->check(not_empty());

@@ -17,14 +17,14 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct CheckCommand {
     std::string pattern, format = "text", seed;
     std::optional<std::size_t> samples;
     unsigned jobs = 0;
     std::filesystem::path regressions = GNOMON_SOURCE_DIR "/fixtures/regressions";
 };
 
-int run(const Options& options, const Common& common, const std::string& replay) {
+int run(const CheckCommand& options, const Common& common, const std::string& replay) {
     const std::vector<const Case*> named = fuzz::find_chains(options.pattern),
                                    chains = fuzz::with_regressions(named, options.regressions);
     std::vector<const Case*> cases;
@@ -74,7 +74,7 @@ void require_no_validation_messages() {
 void add_check(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("check", "run kernels against their references; exit code 1 if one fails");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CheckCommand>();
     verb->add_option("PATTERN", options->pattern,
                      "part of a name, or a pattern with * and ? (default: all kernels)");
     verb->add_option("--samples", options->samples,

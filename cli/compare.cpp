@@ -17,7 +17,7 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct CompareCommand {
     std::string a, b, pattern, kernel, seed, format = "text", axes, at, size = "512x512";
     std::optional<std::size_t> samples, rounds;
     double seconds = 3, least_effect = 3;
@@ -31,7 +31,8 @@ CsvInput parse_at(const Case& c, const std::string& at) {
     return read_inputs(c, csv).front();
 }
 
-void prepare_picture(const Options& options, const versus::Plan& plan, versus::ExaminerOptions& examiner) {
+void prepare_picture(const CompareCommand& options, const versus::Plan& plan,
+                     versus::ExaminerOptions& examiner) {
     if (plan.pairs.size() != 1)
         throw Error(
             "--image shows one kernel, and {} are of other text; name it, as \"gnomon compare A B {}\"",
@@ -49,7 +50,7 @@ void prepare_picture(const Options& options, const versus::Plan& plan, versus::E
     require_writable(options.image);
 }
 
-int run(const Options& options, const Common& common, bool limited, bool kernels_given,
+int run(const CompareCommand& options, const Common& common, bool limited, bool kernels_given,
         const std::string& device) {
     require_kernels(common.kernels);
     versus::Side a = versus::side_of(options.a, common.kernels, options.kernel);
@@ -107,7 +108,7 @@ void add_compare(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "compare", "set two kernels, folders or revisions against each other: output, error and time; exit "
                    "code 1 if B is wrong where A is right");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CompareCommand>();
     const char* side = "a folder of kernels, a kernel's file, a kernel's name, or a git revision";
     verb->add_option("A", options->a, side)->required()->check(not_empty());
     verb->add_option("B", options->b, "the same; A is what B is held against")

@@ -22,7 +22,7 @@ std::string percent_of(std::size_t part, std::size_t whole) {
                      : "-";
 }
 
-std::string number(double value) {
+std::string figure(double value) {
     return std::isnan(value)   ? "NaN"
            : std::isinf(value) ? (value < 0 ? "-infinity" : "infinity")
                                : fmt::format("{:.4g}", value);
@@ -43,8 +43,8 @@ std::string where_text(const versus::Whereabouts& where, std::size_t differ) {
         return fmt::format("{} = {}", where.name, fmt::join(shares, ", "));
     }
     return fmt::format("{} from {} to {} of {} to {} ({} of the samples there)", where.name,
-                       number(where.from), number(where.to), number(where.sampled_from),
-                       number(where.sampled_to), percent_of(differ, where.inside));
+                       figure(where.from), figure(where.to), figure(where.sampled_from),
+                       figure(where.sampled_to), percent_of(differ, where.inside));
 }
 
 std::string difference_text(const versus::DifferenceReport& report) {
@@ -61,8 +61,8 @@ std::string difference_text(const versus::DifferenceReport& report) {
         kinds.push_back(fmt::format("{} more are NaN on both sides, of other bits", d.other_nan));
     if (!kinds.empty()) text += fmt::format("            {}\n", fmt::join(kinds, "; "));
     text += fmt::format(
-        "            worst by {}{}, at {}{}\n", number(d.absolute),
-        d.ulps > 0 ? fmt::format(" ({} ulps; at most {} anywhere)", number(d.ulps), number(d.most_ulps)) : "",
+        "            worst by {}{}, at {}{}\n", figure(d.absolute),
+        d.ulps > 0 ? fmt::format(" ({} ulps; at most {} anywhere)", figure(d.ulps), figure(d.most_ulps)) : "",
         report.call_a, report.worst_defined ? "" : ", outside the domain");
     text += fmt::format("            A {}, B {}{}\n", report.got_a, report.got_b,
                         report.want.empty() ? "" : ", reference " + report.want);
@@ -98,7 +98,7 @@ std::string picture_text(const versus::PictureReport& report, const std::filesys
         "            red: finite on one side only ({}); magenta: NaN on both ({}); grey: the same, outside "
         "the "
         "domain ({} outside)\n",
-        file.string(), report.across, report.down, report.rest, number(report.scale), report.differ,
+        file.string(), report.across, report.down, report.rest, figure(report.scale), report.differ,
         report.pixels, report.finiteness, report.both_nan, report.outside);
 }
 
@@ -143,7 +143,7 @@ std::string table_text(const CompareHead& head, const std::vector<Comparison>& a
         std::array<std::string, 7> row;
         row[0] = one.name;
         row[1] = one.compared ? percent_of(d.differ, d.samples) : "-";
-        row[2] = one.compared ? number(d.absolute) : "-";
+        row[2] = one.compared ? figure(d.absolute) : "-";
         row[3] = word_of(one.a);
         row[4] = word_of(one.b);
         row[5] = one.a.ran && one.b.ran

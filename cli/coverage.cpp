@@ -15,7 +15,7 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct CoverageCommand {
     std::string pattern, format = "text", seed;
     std::optional<std::size_t> samples;
     bool only_fixtures = false, missing = false;
@@ -28,7 +28,7 @@ bool is_enough(const coverage::Share& share, double percent) {
     return share.of == 0 || 100 * static_cast<double>(share.all) >= percent * static_cast<double>(share.of);
 }
 
-int run(const Options& options, const Common& common) {
+int run(const CoverageCommand& options, const Common& common) {
     const std::vector<const Case*> cases = find_cases(options.pattern);
     coverage::Options what;
     what.only_fixtures = options.only_fixtures;
@@ -69,7 +69,7 @@ int run(const Options& options, const Common& common) {
 
 void add_coverage(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand("coverage", "which lines and branches of kernels their inputs reach");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CoverageCommand>();
     verb->add_option("PATTERN", options->pattern,
                      "part of a name, or a pattern with * and ? (default: all kernels)");
     verb->add_option("--samples", options->samples,

@@ -19,7 +19,7 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct EvalCommand {
     std::string kernel;
     std::filesystem::path in, out, file;
     std::string at, expect;
@@ -53,7 +53,7 @@ int judge(const Case& c, const Csv& csv, const std::string& name, std::span<cons
     return 1;
 }
 
-void run(const Options& options, const Common& common, int& exit_code) {
+void run(const EvalCommand& options, const Common& common, int& exit_code) {
     const Case& c = find_case(options.kernel);
     if (options.in.empty() == options.at.empty()) throw Error("eval takes either --in FILE or --at VALUES");
     const Csv csv = options.at.empty()
@@ -114,7 +114,7 @@ void run(const Options& options, const Common& common, int& exit_code) {
 void add_eval(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("eval", "run a kernel on your own inputs (CSV; columns as in describe)");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvalCommand>();
     verb->add_option("KERNEL", options->kernel, "as gnomon list prints it: smsr/case_09")->required();
     verb->add_option("--in", options->in, "CSV file with a header row");
     verb->add_option("--out", options->out,

@@ -23,7 +23,7 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct RenderCommand {
     std::string scene, technique = "smsr", assembly = "full", variant = to_string(Variant::frequency_order),
                        prune = "on";
     bool explain = false;
@@ -34,7 +34,7 @@ struct Options {
 };
 
 /// Throws Error before minutes of work if one of the outputs cannot be written, or would replace another.
-void require_outputs(const Options& options) {
+void require_outputs(const RenderCommand& options) {
     const std::array outputs{std::pair{"--report", &options.report}, std::pair{"--image", &options.image},
                              std::pair{"--errors", &options.errors}};
     for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -63,7 +63,7 @@ std::vector<unsigned> cases_of(const Family& family, const std::filesystem::path
     return numbers.empty() ? std::vector<unsigned>{0} : numbers;
 }
 
-Assembly assembly_of(const Options& options, const Family& family, const Counts& counts) {
+Assembly assembly_of(const RenderCommand& options, const Family& family, const Counts& counts) {
     const auto variant = std::ranges::find(all_variants(), options.variant,
                                            [](Variant v) { return std::string(to_string(v)); });
     return {*variant,
@@ -76,7 +76,7 @@ std::vector<std::string> variant_names() {
     return names;
 }
 
-void run(const Options& options, const Common& common) {
+void run(const RenderCommand& options, const Common& common) {
     const bool is_hybrid = options.technique == "auto" || find_hybrid(options.technique) != nullptr;
     const bool needs_census = options.assembly == "scene" || (options.explain && !is_hybrid);
     if (options.prune == "off" && !is_hybrid)
@@ -159,7 +159,7 @@ void run(const Options& options, const Common& common) {
 void add_render(CLI::App& app, Common& common) {
     CLI::App* verb =
         app.add_subcommand("render", "render a scene and judge its shadows against ray-traced truth");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RenderCommand>();
     verb->add_option("SCENE", options->scene, "glTF, OBJ or PLY file (default: the demo scene)")
         ->check(not_empty());
     verb->add_option("--technique", options->technique, "how visibility is found")

@@ -20,7 +20,7 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct ReproduceCommand {
     std::string what = "thesis", scene, json;
     std::vector<int> maps{512, 1024, 2048, 4096};
     std::vector<std::string> views;
@@ -29,13 +29,13 @@ struct Options {
 constexpr const char* scene_file = "thesis_bench_normals.ply";
 
 /// Empty: the user has not said where the model is.
-std::string scene_path(const Options& options) {
+std::string scene_path(const ReproduceCommand& options) {
     if (!options.scene.empty()) return options.scene;
     const char* folder = std::getenv("GNOMON_SCENES");
     return folder == nullptr || *folder == '\0' ? "" : (std::filesystem::path(folder) / scene_file).string();
 }
 
-std::vector<ThesisView> views_of(const Options& options) {
+std::vector<ThesisView> views_of(const ReproduceCommand& options) {
     if (options.views.empty()) return thesis_views();
     std::vector<ThesisView> views;
     for (const ThesisView& view : thesis_views())
@@ -82,7 +82,7 @@ std::string json_of(const Scene& scene, const gpu::Device& device, const std::ve
     return report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-void run(const Options& options, const Common& common) {
+void run(const ReproduceCommand& options, const Common& common) {
     const std::string path = scene_path(options);
     if (path.empty()) {
         fmt::print(
@@ -120,7 +120,7 @@ void run(const Options& options, const Common& common) {
 void add_reproduce(CLI::App& app, Common& common) {
     CLI::App* verb = app.add_subcommand(
         "reproduce", "count pixels as a publication did, beside the counts that it prints");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReproduceCommand>();
     verb->add_option("WHAT", options->what, "thesis: conservative shadow maps with adjacency (CRSMA)")
         ->check(CLI::IsMember({"thesis"}))
         ->capture_default_str();

@@ -21,7 +21,7 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct RevectorizeCommand {
     std::filesystem::path mask, samples;
     std::vector<std::filesystem::path> out;
     std::string technique = "smsr", outside = "clamp";
@@ -35,9 +35,9 @@ struct Point {
 };
 
 /// A technique's kernels over one mask.
-class Technique {
+class KernelsOfMask {
 public:
-    Technique(const std::string& name, const Readings& readings, const Common& common, const Mask& mask)
+    KernelsOfMask(const std::string& name, const Readings& readings, const Common& common, const Mask& mask)
         : mask_(mask), visibility_(*find_kernel(technique_family(name), "visibility")),
           number_(find_kernel(technique_family(name), "number")), device_(common.device),
           sources_(kernel_sources(common.kernels, readings)),
@@ -82,7 +82,7 @@ private:
     gpu::Kernel visibility_kernel_;
 };
 
-Image image_of(Technique& technique, const Mask& mask, int scale) {
+Image image_of(KernelsOfMask& technique, const Mask& mask, int scale) {
     const std::int64_t width = std::int64_t{mask.width} * scale, height = std::int64_t{mask.height} * scale;
     if (width > 16384 || height > 16384)
         throw Error("--scale {} makes an image of {} x {}; at most 16384 on a side", scale, width, height);
@@ -129,7 +129,7 @@ std::vector<Point> points_of(const Csv& csv) {
     return points;
 }
 
-std::string table_of(Technique& technique, const Csv& csv, std::span<const Point> points) {
+std::string table_of(KernelsOfMask& technique, const Csv& csv, std::span<const Point> points) {
     const std::vector<float> visibility = technique.visibility(points);
     const std::vector<std::uint32_t> numbers = technique.numbers(points);
     std::string text = fmt::format("{},case,visibility\n", fmt::join(csv.header, ","));
@@ -138,7 +138,7 @@ std::string table_of(Technique& technique, const Csv& csv, std::span<const Point
     return text;
 }
 
-void run(const Options& options, const Common& common) {
+void run(const RevectorizeCommand& options, const Common& common) {
     std::optional<std::filesystem::path> image, table;
     for (const std::filesystem::path& path : options.out) {
         std::optional<std::filesystem::path>& slot = path.extension() == ".png" ? image : table;
@@ -166,7 +166,7 @@ void run(const Options& options, const Common& common) {
         if (output) require_writable(*output);
 
     // Whatever can go wrong does so before the first file is written.
-    Technique technique(options.technique, readings, common, mask);
+    KernelsOfMask technique(options.technique, readings, common, mask);
     Image drawn;
     if (image) drawn = image_of(technique, mask, options.scale);
     std::string text;
@@ -184,7 +184,7 @@ void run(const Options& options, const Common& common) {
 void add_revectorize(CLI::App& app, Common& common) {
     CLI::App* verb =
         app.add_subcommand("revectorize", "run a technique's assembled kernel over a shadow mask");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RevectorizeCommand>();
     verb->add_option("MASK", options->mask,
                      "PNG (dark is shadow) or text (# shadow, . lit; the first row is y = 0)")
         ->required();

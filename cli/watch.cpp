@@ -19,7 +19,7 @@
 namespace gnomon::cli {
 namespace {
 
-struct Options {
+struct WatchCommand {
     std::vector<std::string> patterns;
     std::string format = "text", seed;
     std::optional<std::size_t> samples, edits;
@@ -55,7 +55,7 @@ std::vector<const Case*> cases_of(const std::vector<std::string>& patterns) {
     return cases;
 }
 
-int run(const Options& options, const Common& common, bool limited, const std::string& replay) {
+int run(const WatchCommand& options, const Common& common, bool limited, const std::string& replay) {
     const std::vector<const Case*> cases = cases_of(options.patterns);
     watch::SessionOptions session;
     session.check.kernels = common.kernels;
@@ -95,7 +95,7 @@ int run(const Options& options, const Common& common, bool limited, const std::s
 void add_watch(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "watch", "stay, and check kernels again on every save: verdict, what moved, time before and after");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<WatchCommand>();
     verb->add_option("PATTERN", options->patterns,
                      "parts of names, or patterns with * and ? (default: all kernels)");
     verb->add_option("--samples", options->samples, "inputs per kernel (default: as check)")

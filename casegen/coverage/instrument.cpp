@@ -76,9 +76,9 @@ std::vector<Directive> directives(std::string_view text) {
     return found;
 }
 
-class Instrumenter {
+class Rewriter {
 public:
-    Instrumenter(std::string_view text, std::size_t first)
+    Rewriter(std::string_view text, std::size_t first)
         : text_(text), tokens_(glsl::tokens(text)), first_(first) {}
 
     Instrumented run() {
@@ -480,7 +480,7 @@ Instrumented instrument(std::string_view text, std::size_t first) {
             macros.push_back({directive.line, "is a macro"});
     }
     try {
-        Instrumented result = Instrumenter(text, first).run();
+        Instrumented result = Rewriter(text, first).run();
         result.omissions.insert(result.omissions.end(), macros.begin(), macros.end());
         std::ranges::stable_sort(result.omissions, {}, &Omission::line);
         return result;
