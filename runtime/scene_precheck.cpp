@@ -381,19 +381,22 @@ std::optional<std::size_t> child_of(const nlohmann::json& child, const nlohmann:
     return number < nodes.size() ? std::optional(number) : std::nullopt;
 }
 
-/// Else some hundred nodes are a tree of 2^100.
-void require_one_parent(const nlohmann::json& nodes, const std::string& file) {
-    std::vector<std::uint8_t> is_child(nodes.size(), 0);
-    for (const nlohmann::json& node : nodes) {
+/// By node, the one that it is a child of. Throws Error if there are two: else some hundred nodes are a tree
+/// of 2^100.
+std::vector<std::optional<std::size_t>> parents_of(const nlohmann::json& nodes, const std::string& file) {
+    std::vector<std::optional<std::size_t>> parents(nodes.size());
+    for (std::size_t parent = 0; parent < nodes.size(); ++parent) {
+        const nlohmann::json& node = nodes[parent];
         if (!node.is_object() || !node.contains("children") || !node["children"].is_array()) continue;
         for (const nlohmann::json& child : node["children"]) {
             const std::optional<std::size_t> number = child_of(child, nodes);
             if (!number) continue;
-            if (is_child[*number] != 0)
+            if (parents[*number])
                 throw Error("'{}': node {} (counted from 0) is a child more than once", file, *number);
-            is_child[*number] = 1;
+            parents[*number] = parent;
         }
     }
+    return parents;
 }
 
 } // namespace
@@ -416,27 +419,13 @@ void precheck_gltf(const std::filesystem::path& path, std::string_view json) {
     }
     const nlohmann::json document = parse_json(json, path.string());
     if (!document.is_object() || !document.contains("nodes") || !document["nodes"].is_array()) return;
-    // Levels of the node tree, from all nodes at once: a node may be dropped once no other has it as a child.
-    const nlohmann::json& nodes = document["nodes"];
-    require_one_parent(nodes, path.string());
-    std::vector<std::uint8_t> here(nodes.size(), 1);
-    for (std::size_t level = 0;; ++level) {
-        if (level > deepest)
-            throw Error("'{}' nests its nodes deeper than {} levels, or in a circle", path.string(), deepest);
-        std::vector<std::uint8_t> below(nodes.size(), 0);
-        bool any = false;
-        for (std::size_t node = 0; node < nodes.size(); ++node) {
-            if (here[node] == 0 || !nodes[node].is_object()) continue;
-            const auto children = nodes[node].find("children");
-            if (children == nodes[node].end() || !children->is_array()) continue;
-            for (const nlohmann::json& child : *children)
-                if (const std::optional<std::size_t> number = child_of(child, nodes)) {
-                    below[*number] = 1;
-                    any = true;
-                }
-        }
-        if (!any) return;
-        here = std::move(below);
+    const auto parents = parents_of(document["nodes"], path.string());
+    for (const auto& parent : parents) {
+        std::size_t level = 0;
+        for (std::optional<std::size_t> above = parent; above; above = parents[*above])
+            if (++level > deepest)
+                throw Error("'{}' nests its nodes deeper than {} levels, or in a circle", path.string(),
+                            deepest);
     }
 }
 
