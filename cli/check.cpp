@@ -91,7 +91,7 @@ void add_check(CLI::App& app, Common& common, int& exit_code) {
         ->check(CLI::Range(0u, 256u));
     verb->add_option("--regressions", options->regressions,
                      "folder of what gnomon fuzz found: run before all else")
-        ->check(not_empty())
+        ->check(is_folder())
         ->capture_default_str();
     verb->footer("Regressions (those of chains too, which nothing else here runs), worst ones, pins and "
                  "hostile values (NaN, infinities, denormals, ranges' "

@@ -146,7 +146,7 @@ void add_compare(CLI::App& app, Common& common, int& exit_code) {
         ->check(not_empty());
     verb->add_option("--size", options->size, "of the picture")->capture_default_str();
     verb->add_option("--regressions", options->regressions, "folder of what gnomon fuzz found: run first")
-        ->check(not_empty())
+        ->check(is_folder())
         ->capture_default_str();
     verb->add_option("--format", options->format, "text or json")
         ->check(CLI::IsMember({"text", "json"}))

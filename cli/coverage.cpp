@@ -89,7 +89,7 @@ void add_coverage(CLI::App& app, Common& common, int& exit_code) {
                      "worker threads, each with its own device (default: one per core)")
         ->check(CLI::Range(0u, 256u));
     verb->add_option("--regressions", options->regressions, "folder of what gnomon fuzz found")
-        ->check(not_empty())
+        ->check(is_folder())
         ->capture_default_str();
     verb->footer("Fixtures are what every check begins with: regressions, worst inputs, pins, hostile and "
                  "stiff values.\n"

@@ -130,7 +130,7 @@ void add_mutate(CLI::App& app, Common& common, int& exit_code) {
         ->check(not_empty())
         ->capture_default_str();
     verb->add_option("--regressions", options->regressions, "folder of what gnomon fuzz found, as check's")
-        ->check(not_empty())
+        ->check(is_folder())
         ->capture_default_str();
     verb->add_option("--json", options->json, "also write the report to this file")->check(not_empty());
     verb->add_option("--format", options->format, "text, json or junit")

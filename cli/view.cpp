@@ -25,6 +25,14 @@ CLI::Validator not_empty() {
     return CLI::Validator([](std::string& value) { return value.empty() ? "is empty" : ""; }, "");
 }
 
+CLI::Validator is_folder() {
+    return CLI::Validator(
+        [](std::string& value) {
+            return std::filesystem::is_directory(value) ? "" : fmt::format("'{}' is no folder", value);
+        },
+        "");
+}
+
 void add_reading_option(CLI::App& verb, std::vector<std::string>& settings) {
     std::string names;
     for (const Reading& reading : readings())

@@ -113,7 +113,7 @@ void add_watch(CLI::App& app, Common& common, int& exit_code) {
                    "look at all files every 0.1 s: for folders that other machines write to");
     verb->add_option("--regressions", options->regressions,
                      "folder of what gnomon fuzz found: run before all else")
-        ->check(not_empty())
+        ->check(is_folder())
         ->capture_default_str();
     verb->footer(
         "Exit code 1 if a kernel is not good at the end. A dispatch may take 2 s unless --time-limit "

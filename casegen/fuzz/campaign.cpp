@@ -47,7 +47,6 @@ public:
             return;
         }
         if (regression.input.words.empty() && regression.input.mask.texels.empty()) return;
-        std::filesystem::create_directories(folder_);
         finding.file = folder_ / file_name(regression);
         write_file(finding.file, format_regression(regression));
     }
@@ -305,6 +304,9 @@ std::string kernels_text(const std::filesystem::path& folder) {
 CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOptions& options,
                             const std::function<void(const CampaignProgress&)>& progress) {
     require_kernels(options.kernels);
+    std::error_code failed;
+    std::filesystem::create_directories(options.regressions, failed);
+    if (failed) throw Error("cannot make the folder {}: {}", options.regressions.string(), failed.message());
     return Campaign(cases, options).run(progress);
 }
 

@@ -19,7 +19,7 @@ namespace gnomon::fuzz {
 
 struct CampaignOptions {
     std::filesystem::path kernels, pins, worst;
-    std::filesystem::path regressions; ///< folder that is read first, and written to
+    std::filesystem::path regressions; ///< folder that is read first, and written to; made if there is none
     std::filesystem::path journal;     ///< file; empty: none is kept
     /// Ends after about so many evaluations, shared among kernels by how fast their references are; else
     /// after so many seconds.

@@ -129,7 +129,9 @@ std::string file_name(const Regression& regression) {
 
 std::map<std::string, std::vector<Regression>> load_regressions(const std::filesystem::path& folder) {
     std::map<std::string, std::vector<Regression>> regressions;
-    if (folder.empty() || !std::filesystem::is_directory(folder)) return regressions;
+    if (folder.empty() || !std::filesystem::exists(folder)) return regressions;
+    if (!std::filesystem::is_directory(folder))
+        throw Error("{}: not a folder of regressions", folder.string());
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) paths.push_back(entry.path());
     std::ranges::sort(paths);

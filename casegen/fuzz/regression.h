@@ -32,7 +32,7 @@ Regression parse_regression(std::string_view text, const std::string& name);
 std::string file_name(const Regression& regression);
 
 /// All of a folder, by kernel, in the order of their names; none if there is no such folder. Throws Error
-/// (see parse_regression; a file that is not called *.json: it would be overlooked).
+/// (a file in its place; see parse_regression; a file that is not called *.json: it would be overlooked).
 std::map<std::string, std::vector<Regression>> load_regressions(const std::filesystem::path& folder);
 
 } // namespace gnomon::fuzz

@@ -95,6 +95,7 @@ TEST(regression, a_folder_is_read_whole_and_in_order) {
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all.at("smsr/visibility").size(), 2u);
     EXPECT_TRUE(load_regressions(folder.path() / "none").empty());
+    EXPECT_THROW(load_regressions(folder.path() / "README.md"), Error);
     write_file(folder.path() / "overlooked.txt", format_regression(one));
     EXPECT_THROW(load_regressions(folder.path()), Error);
 }

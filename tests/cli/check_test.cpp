@@ -96,6 +96,7 @@ TEST(check_verb, refuses_what_it_cannot_do_with_one_line) {
     refused({"smsr/case_09", "--jobs", "1000"}, "--jobs");
     refused({"smsr/case_09", "--sample", "3"}, "--sample");
     refused({"smsr/case_09", "surplus"}, "surplus");
+    refused({"smsr/case_09", "--regressions", "/nowhere"}, "'/nowhere' is no folder");
     refused({"smsr/case_09", "--device", "nonesuch"}, "llvmpipe");
     refused({"smsr/case_09", "--device", "99"}, "99");
     refused({"smsr/case_09", "--time-limit", "0"}, "--time-limit");

@@ -35,10 +35,12 @@ const std::string kernels = testing::kernels_folder().string();
 
 class compare_verb : public ::testing::Test {
 protected:
+    compare_verb() { fs::create_directories(no_regressions_); }
+
     Ran compare(const testing::Arguments& arguments) const {
         using testing::operator+;
         return run_gnomon(testing::Arguments{"compare"} + arguments +
-                          testing::Arguments{"--regressions", (folder_.path() / "none").string()});
+                          testing::Arguments{"--regressions", no_regressions_.string()});
     }
     /// Expects the exit code.
     json compare_json(const testing::Arguments& arguments, int exit_code = 0) const {
@@ -56,6 +58,7 @@ protected:
     }
 
     TemporaryFolder folder_;
+    fs::path no_regressions_ = folder_.path() / "none";
 };
 
 std::string slow_case_09() {

@@ -256,6 +256,8 @@ TEST_F(fuzz_verb, refuses_what_it_cannot_do_with_one_line) {
     refused({"smsr", "--samples", ""}, "--samples");
     refused({"smsr", "--seconds", "1", "--samples", "5"}, "--s");
     refused({"smsr", "--kernels", "/nowhere"}, "/nowhere");
+    write_file(folder_.path() / "a_file", "");
+    refused({"smsr", "--regressions", (folder_.path() / "a_file").string()}, "a_file: not a folder");
     fs::create_directories(found_);
     write_file(found_ / "a.json", "{");
     refused({"smsr", "--regressions", found_.string()}, "a.json: not JSON");

@@ -1,10 +1,11 @@
-// The command line: arguments parted by newlines, parsed as the program parses them, without running a verb;
-// and the values that verbs parse themselves.
+// The command line: arguments as a process gets them, each ended by a NUL, parsed as the program parses them,
+// without running a verb; and the values that verbs parse themselves.
 #include "casegen/demo_scene.h"
 #include "casegen/readings.h"
 #include "cli/app.h"
 #include "cli/parse.h"
 #include "cli/view.h"
+#include "runtime/one_line.h"
 #include "tests/fuzz/target.h"
 
 #include <cmath>
@@ -14,11 +15,11 @@ namespace {
 using namespace gnomon;
 
 void parse_alone(const std::string& text) {
-    fuzzing::is_read([&] { cli::parse_vector(text, "--option"); });
-    fuzzing::is_read([&] { cli::parse_size(text, "--option"); });
-    fuzzing::is_read([&] { cli::parse_seed(text); });
+    fuzzing::is_understood([&] { cli::parse_vector(text, "--option"); });
+    fuzzing::is_understood([&] { cli::parse_size(text, "--option"); });
+    fuzzing::is_understood([&] { cli::parse_seed(text); });
     Readings readings;
-    if (fuzzing::is_read([&] { readings = parse_readings({text}); })) to_string(readings);
+    if (fuzzing::is_understood([&] { readings = parse_readings({text}); })) to_string(readings);
 }
 
 /// The options of a view, all the way to a camera and a light.
@@ -33,7 +34,7 @@ void look(const std::vector<std::string>& arguments) {
     } catch (const CLI::ParseError&) {
         return;
     }
-    fuzzing::is_read([&] {
+    fuzzing::is_understood([&] {
         const cli::View view = cli::view_of(options, 256, scene);
         REQUIRE(view.settings.width > 0 && view.settings.height > 0);
         for (int k = 0; k < 3; ++k) REQUIRE(std::isfinite(view.camera.position[k]));
@@ -46,10 +47,8 @@ FUZZ_TARGET(options) {
     std::vector<std::string> arguments;
     std::string_view rest = fuzzing::text_of(data, size);
     while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        const std::size_t end = std::min(rest.find('\0'), rest.size());
         std::string argument(rest.substr(0, end));
-        if (argument.find('\0') != argument.npos)
-            argument.resize(argument.find('\0')); // as a process gets it
         parse_alone(argument);
         arguments.push_back(std::move(argument));
         rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -59,12 +58,12 @@ FUZZ_TARGET(options) {
     int exit_code = 0;
     const std::unique_ptr<CLI::App> app = cli::make_app(common, exit_code);
     app->parse_complete_callback([] { throw CLI::Success(); }); // all is parsed, and no verb has run
-    if (!arguments.empty() && !fuzzing::is_read([&] { cli::require_verb(*app, arguments.front()); }))
+    if (!arguments.empty() && !fuzzing::is_understood([&] { cli::require_verb(*app, arguments.front()); }))
         return 0;
     try {
         app->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) { // what main prints
-        REQUIRE(std::string_view(error.what()).find('\n') == std::string_view::npos);
+        REQUIRE(one_line(error.what()).find('\n') == std::string::npos);
     }
     return 0;
 }
