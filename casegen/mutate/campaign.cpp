@@ -297,7 +297,8 @@ CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOp
     std::vector<Mutant> mutants = mutants_of(cases, sources, all_operators());
     std::set<std::string> files, ids;
     for (const Mutant& mutant : mutants) {
-        files.insert(mutant.file);
+        if (mutant.mutation.by != Operator::stale)
+            files.insert(mutant.file); // else only its includer is asked about
         ids.insert(mutant.id);
     }
     std::set<std::string> missing;

@@ -15,7 +15,9 @@
 namespace gnomon::mutate {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -59,6 +61,14 @@ TEST(mutation_campaign, finds_every_change_of_small_kernels) {
     }
     EXPECT_EQ(report.all.not_run, 0u);
     EXPECT_FALSE(report.interrupted);
+}
+
+TEST(mutation_campaign, asks_nothing_of_what_is_listed_of_kernels_that_are_only_included) {
+    CampaignOptions options = options_for();
+    options.equivalents = load_equivalents(testing::fixtures_folder() / "mutants/equivalent.json");
+    ASSERT_THAT(options.equivalents, Contains(Field(&Equivalent::file, "rsmss/case_04.glsl")));
+    options.limit = 1;
+    EXPECT_THAT(run({&find_case("rsmss/visibility")}, options).complaints, IsEmpty());
 }
 
 /// A kernel of its own in a folder of its own.
