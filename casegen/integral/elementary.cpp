@@ -108,7 +108,7 @@ std::vector<Case> elementary_cases() {
             .tolerance = ulps(2),
             .outside = [](std::span<const double> n) -> std::optional<Bounds> {
                 if (std::isnan(n[0])) return exactly({1});
-                if (n[0] < -104) return exactly({0});
+                if (n[0] <= -104) return exactly({0}); // less than half the least float
                 if (n[0] > 88.72) return Bounds{{std::exp(88.72) * (1 - 0x1p-22)}, {largest}};
                 return {};
             },

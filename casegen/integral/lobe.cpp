@@ -14,7 +14,8 @@ using glm::dvec2, glm::dvec3;
 constexpr double pi = std::numbers::pi;
 
 const char* turned_round =
-    "an interval that ends before it begins is turned round; an input that is not finite gives 0";
+    "an interval that ends before it begins is turned round; where the lobe is below e^-104 of its "
+    "height there is nothing; an input that is not finite gives 0";
 
 bool is_in(double lower, double upper, double x) { return x >= lower && x <= upper; }
 
@@ -30,6 +31,17 @@ Parameter ends() {
 Parameter lambda() { return {"lambda", {0, 1e8, {}}, "1", "the lobe's sharpness: mu e^(lambda (x - 1))"}; }
 Parameter mu() { return {"mu", {-1e6, 1e6, {}}, "radiance", "the lobe's height"}; }
 
+/// Numbers that are not finite, and lobes of which no float is left: 1e6 of e^-104, times a slope's 1e8 and
+/// then some.
+std::optional<Bounds> of_nothing(std::span<const double> n) {
+    if (const auto asked = not_finite_gives({})(n)) return asked;
+    const bool is_faint = is_in(0, 2, n[0]) && is_in(0, 2, n[1]) && is_in(0, 1e8, n[2]) &&
+                          is_in(-1e6, 1e6, n[3]) && n[2] * std::min(n[0], n[1]) > 104.01;
+    if (!is_faint) return {};
+    constexpr double next_to_nothing = 1e-30;
+    return Bounds{{-next_to_nothing}, {next_to_nothing}};
+}
+
 Quantity of_lobe(const char* name, const char* equation, Truth (*truth)(const Arguments&), const char* unit,
                  const char* meaning) {
     return {name,
@@ -40,11 +52,11 @@ Quantity of_lobe(const char* name, const char* equation, Truth (*truth)(const Ar
             stiffness::lobes(),
             stiffness::is_lobe,
             turned_round,
-            not_finite_gives({})};
+            of_nothing};
 }
 /// A height beyond the domain makes a slope beyond the floats: the largest of them. (β is proportional to μ.)
 std::optional<Bounds> slope_of_giant(std::span<const double> numbers) {
-    if (const auto asked = not_finite_gives({})(numbers)) return asked;
+    if (const auto asked = of_nothing(numbers)) return asked;
     Arguments of_1{};
     std::ranges::copy(numbers, of_1.numbers.begin());
     of_1.numbers[3] = 1;
@@ -60,6 +72,7 @@ Quantity of_ends(Quantity q, Truth (*truth)(const Arguments&)) {
     q.parameters.front() = ends();
     q.generator = stiffness::lobes_of_ends();
     q.where = stiffness::is_lobe_of_ends;
+    q.outside = not_finite_gives({});
     return q;
 }
 
@@ -165,9 +178,7 @@ std::vector<Case> lobe_cases() {
     const Quantity alpha = of_lobe("alpha", "Equation 2", fit_alpha, "radiance", "the fit's value at x = 0");
     Quantity beta = of_lobe("beta", "Equation 2", fit_beta, "radiance", "the fit's slope in x");
     beta.outside = slope_of_giant;
-    beta.rule =
-        "an interval that ends before it begins is turned round; a slope beyond the floats is the largest; "
-        "an input that is not finite gives 0";
+    beta.rule = std::string(turned_round) + "; a slope beyond the floats is the largest";
     const Quantity l2 = of_lobe("l2", "Equation 3 as the L2 norm", fit_l2, "radiance",
                                 "root of the integral of (G - L)^2 over x");
     const Quantity l1 =
