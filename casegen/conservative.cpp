@@ -111,6 +111,36 @@ bool in_clip_box(dvec2 p, dvec4 box) {
            box.y <= box.w;
 }
 
+/// What stands for a line when it is moved out: a right triangle with legs twice the sides of the rectangle
+/// around its longest edge, which reaches `margin` beyond it on all sides. Nothing where another edge is as
+/// long to within rounding: either may be taken.
+std::optional<Bounds> around_a_line(std::span<const double> n) {
+    const auto within = [](double x) { return std::abs(x) <= hybrid::farthest; };
+    if (!std::ranges::all_of(n.first(7), within) || n[6] < 0) return {};
+    Arguments arguments;
+    std::ranges::copy(n, arguments.numbers.begin());
+    if (least_sine(arguments) >= truth::parallel / 2) return {};
+    const std::array<dvec2, 3> corners{dvec2(n[0], n[1]), dvec2(n[2], n[3]), dvec2(n[4], n[5])};
+    std::array<double, 3> lengths{};
+    for (std::size_t k = 0; k < 3; ++k) lengths[k] = glm::length(corners[(k + 1) % 3] - corners[k]);
+    const auto edge = static_cast<std::size_t>(std::ranges::max_element(lengths) - lengths.begin());
+    const double longest = lengths[edge];
+    if (longest > 0 &&
+        std::ranges::count_if(lengths, [&](double l) { return l > (1 - 0x1p-18) * longest; }) > 1)
+        return {};
+    const dvec2 from = corners[edge];
+    const dvec2 along = longest > 0 ? (corners[(edge + 1) % 3] - from) / longest : dvec2(1, 0);
+    const dvec2 across(-along.y, along.x);
+    const double margin = n[6] + 2 * truth::parallel * longest;
+    const dvec2 sides(longest + 2 * margin, 2 * margin);
+    const auto corner = static_cast<std::uint32_t>(n[7]) % 3;
+    dvec2 want = from - margin * along - margin * across;
+    if (corner == 1) want += 2 * sides.x * along;
+    if (corner == 2) want += 2 * sides.y * across;
+    const double off = 0x1p-20 * (glm::length(from) + longest + margin);
+    return Bounds{{want.x - off, want.y - off}, {want.x + off, want.y + off}};
+}
+
 /// Two lines, parallel or nearly so too.
 std::shared_ptr<const Generator> lines_generator() {
     auto generator =
@@ -199,6 +229,7 @@ Family conservative_family() {
                 .generator = with_corner,
                 .rule =
                     "a triangle that is a line to within rounding: one over twice the rectangle around it",
+                .outside = around_a_line,
             },
             {
                 .name = "conservative/clip_box",
