@@ -178,7 +178,7 @@ std::vector<Case> lobe_cases() {
     const Quantity alpha = of_lobe("alpha", "Equation 2", fit_alpha, "radiance", "the fit's value at x = 0");
     Quantity beta = of_lobe("beta", "Equation 2", fit_beta, "radiance", "the fit's slope in x");
     beta.outside = slope_of_giant;
-    beta.rule = std::string(turned_round) + "; a slope beyond the floats is the largest";
+    beta.rule = std::string("a slope beyond the floats is the largest; ") + turned_round;
     const Quantity l2 = of_lobe("l2", "Equation 3 as the L2 norm", fit_l2, "radiance",
                                 "root of the integral of (G - L)^2 over x");
     const Quantity l1 =
