@@ -48,8 +48,8 @@ void add_reading_option(CLI::App& verb, std::vector<std::string>& settings);
 /// A check for options that must not be "".
 CLI::Validator not_empty();
 
-/// A check for options that name a folder to read: a mistyped one must not look like an empty one. What an
-/// option says of itself by default may be missing.
+/// A check for options that name a folder to read: a mistyped one must not look like an empty one. A
+/// default may be missing.
 CLI::Validator is_folder();
 
 } // namespace gnomon::cli

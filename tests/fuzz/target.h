@@ -47,7 +47,8 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
     return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Whether `read` answers with a value.
+/// Whether `read` answers with a value. What it says otherwise must be on one line, as long as what it quotes
+/// is.
 template <typename Read>
 bool is_read(Read&& read, bool on_one_line = true) {
     try {
@@ -59,11 +60,6 @@ bool is_read(Read&& read, bool on_one_line = true) {
         REQUIRE(!on_one_line || message.find('\n') == message.npos);
         return false;
     }
-}
-/// The same of an argument, which messages quote as it is: main puts them on one line.
-template <typename Read>
-bool is_understood(Read&& read) {
-    return is_read(std::forward<Read>(read), false);
 }
 
 /// A file for readers that take a path; gone with the process.
