@@ -354,24 +354,50 @@ void precheck_glb(const std::filesystem::path& path, std::string_view bytes) {
 
 namespace {
 
+/// Finds a name that is said twice in one object. By events: the library's callbacks for a whole document
+/// take a time that grows with the square of an array's length.
+class Names final : public nlohmann::json_sax<nlohmann::json> {
+public:
+    std::string twice; ///< empty: none
+
+    bool start_object(std::size_t) override {
+        open_.emplace_back();
+        return true;
+    }
+    bool key(std::string& name) override {
+        if (!open_.back().insert(name).second) twice = name;
+        return true;
+    }
+    bool end_object() override {
+        open_.pop_back();
+        return true;
+    }
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(std::int64_t) override { return true; }
+    bool number_unsigned(std::uint64_t) override { return true; }
+    bool number_float(double, const std::string&) override { return true; }
+    bool string(std::string&) override { return true; }
+    bool binary(nlohmann::json::binary_t&) override { return true; }
+    bool start_array(std::size_t) override { return true; }
+    bool end_array() override { return true; }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+        return false;
+    }
+
+private:
+    std::vector<std::set<std::string>> open_; // objects, with the names of their members
+};
+
 /// Assimp's JSON reader takes the first of two members of one name and ours the last, and what one of them
 /// cannot read the other may: only what both understand alike can be checked.
 nlohmann::json parse_json(std::string_view text, const std::string& file) {
-    std::vector<std::set<std::string>> open; // objects, with the names of their members
-    std::string twice;
-    const auto watch = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-        if (event == nlohmann::json::parse_event_t::object_start) open.emplace_back();
-        if (event == nlohmann::json::parse_event_t::object_end) open.pop_back();
-        if (event == nlohmann::json::parse_event_t::key &&
-            !open.back().insert(parsed.get<std::string>()).second)
-            twice = parsed.get<std::string>();
-        return true;
-    };
     text = text.substr(0, text.find_last_not_of('\0') + 1); // binary files pad with them
-    nlohmann::json document = nlohmann::json::parse(text, watch, false);
-    if (document.is_discarded()) throw Error("'{}' cannot be read as a model: its JSON is damaged", file);
-    if (!twice.empty()) throw Error("'{}' says \"{}\" twice in one place", file, one_line(twice));
-    return document;
+    Names names;
+    if (!nlohmann::json::sax_parse(text, &names))
+        throw Error("'{}' cannot be read as a model: its JSON is damaged", file);
+    if (!names.twice.empty()) throw Error("'{}' says \"{}\" twice in one place", file, one_line(names.twice));
+    return nlohmann::json::parse(text);
 }
 
 /// The node that a member of "children" names; none if it names none.
