@@ -22,16 +22,19 @@ std::string component(const std::string& value, Type type, int k) {
     return type.components == 1 ? value : fmt::format("{}.{}", value, "xyzw"[k]);
 }
 
-/// Functions that the technique's answer is put together from.
-std::set<std::string> functions_of(const glsl::Sources& sources, const Technique& technique,
-                                   Question question) {
-    const glsl::Sources with = answer_sources(sources, technique, question);
-    const std::string text =
-        glsl::expand(with, stage_text(with, "record.comp"), stage_name(with, "record.comp"));
+/// Functions that a text defines.
+std::set<std::string> functions_of(const std::string& text) {
     const std::vector<glsl::Token> tokens = glsl::tokens(text);
     std::set<std::string> names;
     for (const glsl::Function& function : glsl::functions(tokens)) names.emplace(function.name);
     return names;
+}
+
+/// Functions that the technique's answer is put together from.
+std::set<std::string> functions_of(const glsl::Sources& sources, const Technique& technique,
+                                   Question question) {
+    const glsl::Sources with = answer_sources(sources, technique, question);
+    return functions_of(glsl::expand(with, stage_text(with, "record.comp"), stage_name(with, "record.comp")));
 }
 
 /// No walk leaves the window, so it does not matter what lies beyond.
@@ -56,15 +59,61 @@ void move_texel(const Case& c, CapturedCall& call, const Capture& capture) {
     }
 }
 
+CapturedCall captured_call(const Case& c, const RecordedCall& recorded) {
+    const auto inputs = static_cast<std::ptrdiff_t>(word_count(c));
+    CapturedCall call;
+    call.inputs.assign(recorded.words.begin(), recorded.words.begin() + inputs);
+    call.result.assign(recorded.words.begin() + inputs, recorded.words.end());
+    return call;
+}
+
+std::vector<Captured> captured_of(const std::vector<const Case*>& kernels) {
+    std::vector<Captured> captured;
+    for (const Case* c : kernels) captured.push_back({.kernel = c});
+    return captured;
+}
+
+/// By file, what records these kernels' calls, each tagged by its place among them.
+std::map<std::string, std::string> recording_texts(const glsl::Sources& sources,
+                                                   const std::vector<const Case*>& kernels) {
+    std::map<std::string, std::string> texts;
+    for (std::size_t k = 0; k < kernels.size(); ++k) {
+        const std::string file = kernels[k]->name + ".glsl";
+        texts[file] = recording_text(*kernels[k], read_file(sources.root / file), static_cast<unsigned>(k));
+    }
+    return texts;
+}
+
+/// What the calls' pixels see of the map, if their kernel looks at it.
+void add_windows(Renderer& renderer, Captured& captured) {
+    if (!captured.kernel->reference.takes_mask || captured.calls.empty()) return;
+    std::vector<std::uint32_t> pixels;
+    for (const CapturedCall& call : captured.calls) pixels.push_back(call.pixel.value());
+    pixels.erase(std::ranges::unique(pixels).begin(), pixels.end());
+    const std::vector<Capture> seen = renderer.capture(pixels);
+    std::size_t at = 0;
+    std::shared_ptr<const Mask> window;
+    for (CapturedCall& call : captured.calls) {
+        if (pixels[at] != *call.pixel) {
+            ++at;
+            window.reset();
+        }
+        if (!window) window = window_of(seen[at]);
+        call.window = window;
+        move_texel(*captured.kernel, call, seen[at]);
+    }
+}
+
 } // namespace
 
 std::string recording_text(const Case& c, std::string_view text, unsigned tag) {
     const std::string name = function_name(c);
     std::vector<std::string> parameters, names;
-    std::string records = fmt::format("    record({}u);\n", tag);
+    std::string records;
+    int count = 0;
     const auto record = [&](const std::string& value, Type type) {
-        for (int k = 0; k < type.components; ++k)
-            records += fmt::format("    record({});\n", to_word(type.scalar, component(value, type, k)));
+        for (int k = 0; k < type.components; ++k, ++count)
+            records += fmt::format("        record({});\n", to_word(type.scalar, component(value, type, k)));
     };
     for (std::size_t i = 0; i < c.parameters.size(); ++i) {
         names.push_back(fmt::format("a{}", i));
@@ -74,8 +123,10 @@ std::string recording_text(const Case& c, std::string_view text, unsigned tag) {
     record("answer", c.reference.result);
     const std::string result = glsl_name(c.reference.result);
     return fmt::format("#include \"pipeline/record.glslh\"\n#define {0} unrecorded_{0}\n{1}\n#undef {0}\n"
-                       "{2} {0}({3}) {{\n    {2} answer = unrecorded_{0}({4});\n{5}    return answer;\n}}\n",
-                       name, text, result, fmt::join(parameters, ", "), fmt::join(names, ", "), records);
+                       "{2} {0}({3}) {{\n    {2} answer = unrecorded_{0}({4});\n"
+                       "    if (record_call({6}u, {7}u)) {{\n{5}    }}\n    return answer;\n}}\n",
+                       name, text, result, fmt::join(parameters, ", "), fmt::join(names, ", "), records, tag,
+                       count);
 }
 
 std::vector<ChainLink> chain_of(const glsl::Sources& sources, const Technique& technique) {
@@ -116,59 +167,75 @@ std::vector<std::uint32_t> calling_pixels(Renderer& renderer, const glsl::Source
                                           const Technique& technique, const ChainLink& link,
                                           const std::vector<std::uint32_t>& pixels) {
     if (pixels.empty()) return {};
-    const std::string file = link.kernel->name + ".glsl";
     const Recorded recorded =
-        renderer.record(technique, link.question, pixels,
-                        {{file, recording_text(*link.kernel, read_file(sources.root / file), 0)}});
-    std::vector<std::uint32_t> calling;
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-        if (recorded.firsts[i] != recorded.firsts[i + 1]) calling.push_back(pixels[i]);
-    return calling;
+        renderer.record(technique, link.question, pixels, recording_texts(sources, {link.kernel}));
+    std::set<std::uint32_t> calling;
+    for (const RecordedCall& call : recorded.calls) calling.insert(pixels[call.x]);
+    return {calling.begin(), calling.end()};
 }
 
 std::vector<Captured> capture_calls(Renderer& renderer, const glsl::Sources& sources,
                                     const Technique& technique, Question question,
                                     const std::vector<const Case*>& kernels,
                                     const std::vector<std::uint32_t>& pixels) {
-    std::vector<Captured> captured(kernels.size());
-    std::map<std::string, std::string> overlaid;
-    for (std::size_t k = 0; k < kernels.size(); ++k) {
-        captured[k].kernel = kernels[k];
-        const std::string file = kernels[k]->name + ".glsl";
-        overlaid[file] =
-            recording_text(*kernels[k], read_file(sources.root / file), static_cast<unsigned>(k));
-    }
+    std::vector<Captured> captured = captured_of(kernels);
     if (pixels.empty()) return captured;
     const std::vector<float> frame = renderer.visibility(technique);
-    const Recorded recorded = renderer.record(technique, question, pixels, overlaid);
-    std::vector<Capture> seen;
-    if (std::ranges::any_of(kernels, [](const Case* c) { return c->reference.takes_mask; }))
-        seen = renderer.capture(pixels);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const float visibility = frame[pixels[i]];
-        if (question == Question::visibility &&
-            std::bit_cast<std::uint32_t>(visibility) != recorded.answers[i])
-            for (Captured& each : captured) each.unlike_frame.push_back(pixels[i]);
-        std::shared_ptr<const Mask> window;
-        auto word = recorded.words.begin() + recorded.firsts[i];
-        const auto end = recorded.words.begin() + recorded.firsts[i + 1];
-        while (word != end) {
-            Captured& to = captured[*word++];
-            const Case& c = *to.kernel;
-            const auto inputs = static_cast<std::ptrdiff_t>(word_count(c));
-            CapturedCall call;
-            call.pixel = pixels[i];
-            call.inputs.assign(word, word + inputs);
-            call.result.assign(word + inputs, word + inputs + c.reference.result.components);
-            word += inputs + c.reference.result.components;
-            call.visibility = visibility;
-            if (c.reference.takes_mask) {
-                if (!window) window = window_of(seen[i]);
-                call.window = window;
-                move_texel(c, call, seen[i]);
-            }
-            to.calls.push_back(std::move(call));
+    const Recorded recorded = renderer.record(technique, question, pixels, recording_texts(sources, kernels));
+    if (question == Question::visibility)
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            if (std::bit_cast<std::uint32_t>(frame[pixels[i]]) != recorded.answers[i])
+                for (Captured& each : captured) each.unlike_frame.push_back(pixels[i]);
+    for (const RecordedCall& call : recorded.calls) {
+        Captured& to = captured[call.tag];
+        to.calls.push_back(captured_call(*to.kernel, call));
+        to.calls.back().pixel = pixels[call.x];
+        to.calls.back().visibility = frame[pixels[call.x]];
+    }
+    for (Captured& each : captured) add_windows(renderer, each);
+    return captured;
+}
+
+std::vector<ChainLink> chain_of(const std::vector<StageText>& stages) {
+    std::set<std::string> names;
+    for (const StageText& stage : stages) names.merge(functions_of(stage.text));
+    std::vector<ChainLink> links;
+    for (const Family& known : catalogue())
+        for (const Case& c : known.cases)
+            if (names.contains(function_name(c))) links.push_back({&c, Question::visibility});
+    return links;
+}
+
+std::vector<Captured> capture_frame_calls(Renderer& renderer, const glsl::Sources& sources,
+                                          const Technique& technique, const std::vector<const Case*>& kernels,
+                                          int width, const std::vector<std::uint32_t>& pixels,
+                                          std::size_t most) {
+    std::vector<Captured> captured = captured_of(kernels);
+    const std::vector<float> frame = renderer.visibility(technique);
+    Recorded recorded = renderer.record_frame(technique, pixels, recording_texts(sources, kernels));
+    std::vector<std::uint32_t> unlike;
+    for (std::size_t i = 0; i < frame.size(); ++i)
+        if (std::bit_cast<std::uint32_t>(frame[i]) != recorded.answers[i])
+            unlike.push_back(static_cast<std::uint32_t>(i));
+    std::vector<std::string> stages;
+    for (const StageText& stage : recorded.stages) stages.push_back(stage.file);
+    for (const RecordedCall& each : recorded.calls) {
+        Captured& to = captured[each.tag];
+        CapturedCall call = captured_call(*to.kernel, each);
+        call.stage = each.stage;
+        call.invocation = {each.x, each.y};
+        if (is_of_pixels(stages[each.stage])) {
+            call.pixel = each.y * static_cast<std::uint32_t>(width) + each.x;
+            call.visibility = frame[*call.pixel];
         }
+        to.calls.push_back(std::move(call));
+    }
+    for (Captured& each : captured) {
+        each.unlike_frame = unlike;
+        each.stages = stages;
+        each.all = each.calls.size();
+        each.calls = spread(std::move(each.calls), most);
+        add_windows(renderer, each);
     }
     return captured;
 }
@@ -193,6 +260,7 @@ std::string captured_csv(const Captured& captured, int width, const std::string&
     header.insert(header.end(), {"pixel_x", "pixel_y"});
     for (std::string& name : result_columns(c, "captured")) header.push_back(std::move(name));
     header.emplace_back("visibility");
+    if (!captured.stages.empty()) header.insert(header.end(), {"stage", "invocation_x", "invocation_y"});
     text += fmt::format("{}\n", fmt::join(header, ","));
     const auto side = static_cast<std::uint32_t>(width);
     const Mask* last = nullptr;
@@ -205,11 +273,15 @@ std::string captured_csv(const Captured& captured, int width, const std::string&
         text += window;
         for (std::size_t i = 0; i < call.inputs.size(); ++i)
             text += format_word(c.reference.words[i], call.inputs[i]) + ',';
-        text += fmt::format("{},{}", call.pixel % side, call.pixel / side);
+        text += call.pixel ? fmt::format("{},{}", *call.pixel % side, *call.pixel / side) : ",";
         for (const std::uint32_t word : call.result)
             text += ',' + format_word(c.reference.result.scalar, word);
-        text +=
-            fmt::format(",{}\n", format_word(Scalar::float32, std::bit_cast<std::uint32_t>(call.visibility)));
+        text += ',';
+        if (call.pixel) text += format_word(Scalar::float32, std::bit_cast<std::uint32_t>(call.visibility));
+        if (!captured.stages.empty())
+            text +=
+                fmt::format(",{},{},{}", captured.stages[call.stage], call.invocation.x, call.invocation.y);
+        text += '\n';
     }
     return text;
 }

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,9 +16,9 @@
 
 namespace gnomon {
 
-/// The kernel's text, and a function of its name that records `tag`, its parameters' words and its result's
-/// (kernels/pipeline/record.glslh), in this order and after the call: calls that it makes come before it.
-/// `text` is what the kernel's file says.
+/// The kernel's text, and a function of its name that records under `tag` its parameters' words and its
+/// result's (kernels/pipeline/record.glslh), in this order and after the call: calls that it makes come
+/// before it. `text` is what the kernel's file says.
 std::string recording_text(const Case& c, std::string_view text, unsigned tag);
 
 /// A kernel that the pipeline calls where it asks a technique one of two questions.
@@ -29,6 +30,9 @@ struct ChainLink {
 /// The kernels of the catalogue that a technique of kind `kernel` can call at a pixel, in the catalogue's
 /// order: those of its visibility, and those that only its number needs.
 std::vector<ChainLink> chain_of(const glsl::Sources& sources, const Technique& technique);
+
+/// The kernels of the catalogue that a hybrid's stages can call. No question is asked of them.
+std::vector<ChainLink> chain_of(const std::vector<StageText>& stages);
 
 /// The pixels that a technique's kernels are asked about: those that face the light, within its map.
 std::vector<std::uint32_t> asked_pixels(Renderer& renderer, const ViewSettings& settings);
@@ -44,19 +48,23 @@ std::vector<std::uint32_t> calling_pixels(Renderer& renderer, const glsl::Source
                                           const std::vector<std::uint32_t>& pixels);
 
 struct CapturedCall {
-    std::uint32_t pixel = 0;
+    std::optional<std::uint32_t> pixel; ///< none where a stage works on triangles or texels of a map
     std::vector<std::uint32_t> inputs;  ///< the parameters' words; a texel is counted in `window`
     std::vector<std::uint32_t> result;  ///< what the kernel answered in the pipeline
     float visibility = 0;               ///< of the whole technique at the pixel, in a frame without recording
     std::shared_ptr<const Mask> window; ///< null if the kernel takes no mask
+    std::uint32_t stage = 0;            ///< of Captured::stages
+    glm::uvec2 invocation{0};           ///< of the stage (RecordedCall)
 };
 
 struct Captured {
     const Case* kernel = nullptr;
-    std::vector<CapturedCall> calls; ///< in the order of the pixels asked for and of each one's calls
+    std::vector<CapturedCall> calls{}; ///< in the order of the pixels asked for and of each one's calls
     /// Pixels whose visibility was another while calls were recorded: a kernel is then no function of its
     /// parameters.
-    std::vector<std::uint32_t> unlike_frame;
+    std::vector<std::uint32_t> unlike_frame{};
+    std::vector<std::string> stages{}; ///< of a hybrid: its stages' files
+    std::size_t all = 0;               ///< of a hybrid: calls that were made
 };
 
 /// All calls of these kernels at these pixels, by kernel. chain_of must say that the technique calls each
@@ -68,9 +76,27 @@ std::vector<Captured> capture_calls(Renderer& renderer, const glsl::Sources& sou
                                     const std::vector<const Case*>& kernels,
                                     const std::vector<std::uint32_t>& pixels);
 
-/// A file that read_inputs reads: the kernel's columns, then `pixel_x`, `pixel_y`, the answer as `captured`
-/// (`captured_x`, … of a vector), and `visibility`. `width` is the image's; `comment` goes above, its lines
-/// after "# ".
+/// Calls of these kernels in a frame of a hybrid, by kernel; each one's by stage and row by row: of these
+/// pixels, or, if there are none, of all stages; at most `most` (0: all). `width` is the image's. Throws
+/// Error as Renderer::record_frame.
+std::vector<Captured> capture_frame_calls(Renderer& renderer, const glsl::Sources& sources,
+                                          const Technique& technique, const std::vector<const Case*>& kernels,
+                                          int width, const std::vector<std::uint32_t>& pixels,
+                                          std::size_t most = 0);
+
+/// At most `most` (0: all) of them, evenly spread.
+template <typename T>
+std::vector<T> spread(std::vector<T> all, std::size_t most) {
+    if (most == 0 || all.size() <= most) return all;
+    std::vector<T> kept;
+    for (std::size_t i = 0; i < most; ++i) kept.push_back(std::move(all[i * all.size() / most]));
+    return kept;
+}
+
+/// A file that read_inputs reads: the kernel's columns, then `pixel_x`, `pixel_y` and `visibility`, empty
+/// where a call is no pixel's, with the answer between them as `captured` (`captured_x`, … of a vector); of a
+/// hybrid also `stage`, `invocation_x` and `invocation_y`. `width` is the image's; `comment` goes above, its
+/// lines after "# ".
 std::string captured_csv(const Captured& captured, int width, const std::string& comment);
 
 /// "result", or "result_x", "result_y" …: the columns of a kernel's result under this name.

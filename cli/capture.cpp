@@ -44,9 +44,10 @@ const Family& family_of(const Case& c) {
 
 /// What the options ask for, before a frame is drawn.
 struct Request {
+    const HybridTechnique* hybrid = nullptr; ///< null: the family is the technique
     const Family* family = nullptr;
     const Case* numbered = nullptr; ///< of --case
-    const Case* kernel = nullptr;   ///< null: the numbered case that a pixel is of
+    const Case* kernel = nullptr;   ///< null: the numbered case that a pixel is of; a hybrid's own detector
 };
 
 bool is_technique(const std::string& name) {
@@ -67,7 +68,15 @@ Request request_of(const CaptureCommand& options) {
     for (const Case* c : {static_cast<const Case*>(request.kernel), request.numbered})
         if (technique.empty() && c && is_technique(technique_name(family_of(*c))))
             technique = technique_name(family_of(*c));
+    if (technique.empty() && request.kernel && request.kernel->name.starts_with("certainty/"))
+        technique = request.kernel->name.substr(request.kernel->name.find('/') + 1);
     if (technique.empty()) technique = "smsr";
+    if (options.pixels.empty() && options.case_name.empty() && options.kernel.empty())
+        throw Error("capture needs --pixel X,Y, or --case FAMILY/CASE, or --kernel KERNEL");
+    if ((request.hybrid = find_hybrid(technique))) {
+        if (request.numbered || options.kernel == "case") throw Error("{} has no numbered cases", technique);
+        return request;
+    }
     request.family = &technique_family(technique);
     if (request.numbered && &family_of(*request.numbered) != request.family)
         throw Error("--case {}: a case of {}, not of {}", options.case_name,
@@ -76,8 +85,6 @@ Request request_of(const CaptureCommand& options) {
         throw Error("--kernel case: {} has no numbered cases", technique);
     if (options.kernel.empty() && !request.kernel)
         request.kernel = find_kernel(*request.family, "visibility");
-    if (options.pixels.empty() && options.case_name.empty() && options.kernel.empty())
-        throw Error("capture needs --pixel X,Y, or --case FAMILY/CASE, or --kernel KERNEL");
     if (!options.pixels.empty() && !options.case_name.empty())
         throw Error("--pixel and --case: give one; --kernel case captures the case that a pixel is of");
     if (options.pixels.empty() && options.kernel == "case")
@@ -91,7 +98,7 @@ const ChainLink& link_of(const std::vector<ChainLink>& chain, const Case& c, con
     std::vector<std::string> names;
     for (const ChainLink& link : chain) names.push_back(link.kernel->name);
     throw Error("{} is not called by {}; what it calls can be captured: {}", c.name, technique,
-                fmt::join(names, ", "));
+                names.empty() ? "(nothing)" : fmt::format("{}", fmt::join(names, ", ")));
 }
 
 std::uint32_t parse_pixel(const std::string& text, const ViewSettings& settings) {
@@ -105,8 +112,10 @@ std::uint32_t parse_pixel(const std::string& text, const ViewSettings& settings)
     return static_cast<std::uint32_t>(y * settings.width + x);
 }
 
-/// The pixels of --pixel, each once. Throws Error at one that no kernel is asked about.
-Pixels chosen_pixels(const CaptureCommand& options, Renderer& renderer, const ViewSettings& settings) {
+/// The pixels of --pixel, each once. Throws Error at one that no kernel is asked about. A hybrid's maps may
+/// reach farther than the frame's.
+Pixels chosen_pixels(const CaptureCommand& options, Renderer& renderer, const ViewSettings& settings,
+                     bool within_map) {
     Pixels chosen;
     const Pixels asked = asked_pixels(renderer, settings);
     for (const std::string& text : options.pixels) {
@@ -117,20 +126,12 @@ Pixels chosen_pixels(const CaptureCommand& options, Renderer& renderer, const Vi
             throw Error("--pixel {}: the surface there faces away from the light: it is dark without asking "
                         "a kernel",
                         text);
-        if (!std::ranges::binary_search(asked, pixel))
+        if (within_map && !std::ranges::binary_search(asked, pixel))
             throw Error("--pixel {}: the shadow map does not cover it: it is lit without asking a kernel",
                         text);
         if (std::ranges::find(chosen, pixel) == chosen.end()) chosen.push_back(pixel);
     }
     return chosen;
-}
-
-/// At most `most` of them (0: all), evenly spread.
-Pixels spread(const Pixels& pixels, std::size_t most) {
-    if (most == 0 || pixels.size() <= most) return pixels;
-    Pixels kept;
-    for (std::size_t i = 0; i < most; ++i) kept.push_back(pixels[i * pixels.size() / most]);
-    return kept;
 }
 
 /// The case that these pixels are of.
@@ -195,26 +196,63 @@ std::size_t unlike_visibility(const Captured& captured) {
     }));
 }
 
-/// `common_options` are what a command that replays this must say besides (replay_options).
-void run(const CaptureCommand& options, const Common& common, const std::string& common_options,
-         int& exit_code) {
-    constexpr std::size_t most_windows = 50000; // of 1.4 kB each, as text
-    const Request request = request_of(options);
-    const std::string name = technique_name(*request.family);
-    const Readings readings = readings_for(name, options.readings);
-    const glsl::Sources sources = kernel_sources(common.kernels, readings);
-    const Technique technique = technique_of(*request.family);
-    const std::vector<ChainLink> chain = chain_of(sources, technique);
-    if (request.kernel) link_of(chain, *request.kernel, name);
-    const Scene scene = scene_of(options.scene);
-    const auto [camera, light, settings] = view_of(options.view, options.shadow_map, scene);
-    for (const std::string& pixel : options.pixels) parse_pixel(pixel, settings);
-    require_writable(options.out);
+constexpr std::size_t most_windows = 50000; // of 1.4 kB each, as text
 
-    gpu::Device device(common.device);
-    Renderer renderer(device, sources, scene, camera, light, settings);
+/// Calls to write, and what is said of them.
+struct Calls {
+    Captured captured;
+    std::string what;
+    std::size_t unlike = 0; ///< pixels whose visibility is not what the kernel answers
+};
+
+/// What the stages of a hybrid call.
+Calls hybrid_calls(const CaptureCommand& options, const Request& request, const glsl::Sources& sources,
+                   Renderer& renderer, const ViewSettings& settings, const Scene& scene) {
+    const std::string& name = request.hybrid->name;
+    const Technique technique{.kind = Technique::Kind::hybrid, .name = name};
+    const std::vector<ChainLink> chain = chain_of(renderer.stages(technique));
+    const auto is_detector = [](const Case& c) { return c.name.starts_with("certainty/"); };
+    const auto detector =
+        std::ranges::find_if(chain, [&](const ChainLink& link) { return is_detector(*link.kernel); });
+    if (!request.kernel && detector == chain.end())
+        throw Error("{} has no kernel that says all of a pixel: give --kernel as well", name);
+    const Case& c = *(request.kernel ? link_of(chain, *request.kernel, name) : *detector).kernel;
+    const Pixels pixels = chosen_pixels(options, renderer, settings, false);
+    const bool windows = c.reference.takes_mask;
+    Calls calls{capture_frame_calls(renderer, sources, technique, {&c}, settings.width, pixels,
+                                    windows && options.most == 0 ? most_windows : options.most)
+                    .front(),
+                {}};
+    const Captured& captured = calls.captured;
+    if (captured.calls.empty())
+        throw Error("{} calls {} {}", name, c.name,
+                    pixels.empty() ? "nowhere in this view"
+                                   : fmt::format("at none of the {} pixels", pixels.size()));
+    if (windows && options.most == 0 && captured.all > most_windows)
+        throw Error("{} at {} pixels, each with its window of the map; --most {} or less is possible", c.name,
+                    captured.all, most_windows);
+    std::vector<std::string> stages;
+    for (const CapturedCall& call : captured.calls)
+        if (stages.empty() || stages.back() != captured.stages[call.stage])
+            stages.push_back(captured.stages[call.stage]);
+    calls.what = fmt::format("{} as {} calls it in {}: {} of {} calls, in {}", c.name, name, scene.name,
+                             captured.calls.size(), captured.all, fmt::join(stages, ", "));
+    if (is_detector(c)) // 0 or 1 where it is certain
+        calls.unlike =
+            static_cast<std::size_t>(std::ranges::count_if(captured.calls, [](const CapturedCall& call) {
+                return call.result.front() < 2 && static_cast<float>(call.result.front()) != call.visibility;
+            }));
+    return calls;
+}
+
+/// What a technique's kernels call at its pixels.
+Calls technique_calls(const CaptureCommand& options, const Request& request, const glsl::Sources& sources,
+                      Renderer& renderer, const ViewSettings& settings, const Scene& scene,
+                      const std::vector<ChainLink>& chain) {
+    const std::string name = technique_name(*request.family);
+    const Technique technique = technique_of(*request.family);
     Pixels pixels = options.pixels.empty() ? asked_pixels(renderer, settings)
-                                           : chosen_pixels(options, renderer, settings);
+                                           : chosen_pixels(options, renderer, settings, true);
     const Case& c = request.kernel ? *request.kernel : case_of(renderer, request, pixels);
     const ChainLink& link = link_of(chain, c, name);
     if (request.numbered) pixels = pixels_of_case(renderer, request, pixels);
@@ -226,18 +264,44 @@ void run(const CaptureCommand& options, const Common& common, const std::string&
     if (c.reference.takes_mask && pixels.size() > most_windows)
         throw Error("{} at {} pixels, each with its window of the map; --most {} or less is possible", c.name,
                     pixels.size(), most_windows);
-    const Captured captured =
-        capture_calls(renderer, sources, technique, link.question, {&c}, pixels).front();
+    Calls calls{capture_calls(renderer, sources, technique, link.question, {&c}, pixels).front(), {}};
+    calls.what = fmt::format("{} as {} calls it in {}: {} calls, at {} of {} pixels that do", c.name, name,
+                             scene.name, calls.captured.calls.size(), pixels.size(), all);
+    if (&c == find_kernel(*request.family, "visibility") || &c == request.numbered || !request.kernel)
+        calls.unlike = unlike_visibility(calls.captured);
+    return calls;
+}
+
+/// `common_options` are what a command that replays this must say besides (replay_options).
+void run(const CaptureCommand& options, const Common& common, const std::string& common_options,
+         int& exit_code) {
+    const Request request = request_of(options);
+    const std::string name = request.hybrid ? request.hybrid->name : technique_name(*request.family);
+    const Readings readings = readings_for(name, options.readings);
+    const glsl::Sources sources = kernel_sources(common.kernels, readings);
+    std::vector<ChainLink> chain;
+    if (!request.hybrid) chain = chain_of(sources, technique_of(*request.family));
+    if (!request.hybrid && request.kernel) link_of(chain, *request.kernel, name);
+    const Scene scene = scene_of(options.scene);
+    const auto [camera, light, settings] = view_of(options.view, options.shadow_map, scene);
+    for (const std::string& pixel : options.pixels) parse_pixel(pixel, settings);
+    require_writable(options.out);
+
+    gpu::Device device(common.device);
+    Renderer renderer(device, sources, scene, camera, light, settings);
+    const Calls calls = request.hybrid
+                            ? hybrid_calls(options, request, sources, renderer, settings, scene)
+                            : technique_calls(options, request, sources, renderer, settings, scene, chain);
+    const Captured& captured = calls.captured;
+    const Case& c = *captured.kernel;
     require_no_validation_messages();
 
     std::string replay = fmt::format("gnomon eval {} --in '{}' --expect captured{}", c.name,
                                      options.out.string(), common_options);
     for (const std::string& reading : options.readings) replay += " --reading " + reading;
-    const std::string what = fmt::format("{} as {} calls it in {}: {} calls, at {} of {} pixels that do",
-                                         c.name, name, scene.name, captured.calls.size(), pixels.size(), all);
-    const std::string text = captured_csv(captured, settings.width, what + "\n" + replay);
+    const std::string text = captured_csv(captured, settings.width, calls.what + "\n" + replay);
     write_file(options.out, text);
-    fmt::print("{}\n{}\n", what, replay);
+    fmt::print("{}\n{}\n", calls.what, replay);
     if (!captured.unlike_frame.empty()) {
         fmt::print(
             "at {} pixels the frame had another visibility than while calls were recorded: some kernel "
@@ -245,14 +309,19 @@ void run(const CaptureCommand& options, const Common& common, const std::string&
             captured.unlike_frame.size());
         exit_code = 1;
     }
-    const bool is_pixels_answer =
-        &c == find_kernel(*request.family, "visibility") || (&c == request.numbered) || !request.kernel;
-    if (const std::size_t unlike = is_pixels_answer ? unlike_visibility(captured) : 0; unlike > 0) {
-        fmt::print("at {} pixels the visibility is not what {} answers\n", unlike, c.name);
+    if (calls.unlike > 0) {
+        fmt::print("at {} pixels the visibility is not what {} answers\n", calls.unlike, c.name);
         exit_code = 1;
     }
     if (options.verify && verify(device, sources, captured, text) != 0) exit_code = 1;
     require_no_validation_messages();
+}
+
+/// Those of one map and its kernels, and the hybrids.
+std::vector<std::string> capturable_techniques() {
+    std::vector<std::string> names = visibility_techniques();
+    for (const HybridTechnique& hybrid : hybrid_techniques()) names.push_back(hybrid.name);
+    return names;
 }
 
 } // namespace
@@ -264,7 +333,7 @@ void add_capture(CLI::App& app, Common& common, int& exit_code) {
         ->check(not_empty());
     verb->add_option("--technique", options->technique,
                      "whose kernels (default: that of the case or kernel, else smsr)")
-        ->check(CLI::IsMember(visibility_techniques()));
+        ->check(CLI::IsMember(capturable_techniques()));
     verb->add_option("--pixel", options->pixels,
                      "X,Y of a pixel, 0,0 is the upper left; as often as one likes")
         ->expected(1)
@@ -275,9 +344,11 @@ void add_capture(CLI::App& app, Common& common, int& exit_code) {
     verb->add_option(
             "--kernel", options->kernel,
             "whose inputs: any kernel that the technique calls, or `case`, the one that the pixel is "
-            "of (default: the technique's visibility; with --case, the case)")
+            "of (default: the technique's visibility; with --case, the case; of a hybrid, what says all of a "
+            "pixel)")
         ->check(not_empty());
-    verb->add_option("--most", options->most, "at most so many pixels, evenly spread over all (default: all)")
+    verb->add_option("--most", options->most,
+                     "at most so many pixels (of a hybrid: calls), evenly spread over all (default: all)")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30));
     verb->add_flag("--verify", options->verify,
                    "make the same calls alone at once; exit code 1 if any gives other bits");

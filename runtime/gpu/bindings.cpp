@@ -61,9 +61,16 @@ Bindings make_bindings(const std::shared_ptr<Context>& context, std::vector<std:
 }
 
 void record_bindings(Context& context, VkCommandBuffer commands, VkPipelineBindPoint point,
-                     const Bindings& bindings, std::span<const VkBuffer> buffers,
+                     const Bindings& bindings, std::span<const VkBuffer> given,
                      std::span<const std::byte> constants, VkShaderStageFlags stages,
                      const std::string& name) {
+    std::vector<VkBuffer> buffers(given.begin(), given.end());
+    if (context.always != VK_NULL_HANDLE && bindings.numbers.size() == given.size() + 1 &&
+        bindings.numbers.back() == context.always_at) {
+        if (point == VK_PIPELINE_BIND_POINT_GRAPHICS && !context.stores_while_drawing)
+            throw Error("{}: {} cannot write to buffers while it draws", name, context.info.name);
+        buffers.push_back(context.always);
+    }
     if (buffers.size() != bindings.numbers.size())
         throw Error("{} binds {} buffers, {} were given", name, bindings.numbers.size(), buffers.size());
     if (constants.size() != bindings.constant_bytes)

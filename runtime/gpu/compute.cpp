@@ -31,6 +31,11 @@ Kernel Device::kernel(const glsl::Spirv& words, std::string_view name) {
     return kernel;
 }
 
+void Device::bind_always(std::uint32_t binding, const Buffer* buffer) {
+    context_->always_at = binding;
+    context_->always = buffer ? buffer->impl_->handle : VkBuffer{VK_NULL_HANDLE};
+}
+
 double Device::run(Kernel& kernel, std::initializer_list<const Buffer*> buffers, const Dispatch& dispatch) {
     Kernel::Impl& impl = *kernel.impl_;
     std::vector<VkBuffer> handles;

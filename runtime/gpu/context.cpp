@@ -102,11 +102,14 @@ Device::Device(const DeviceOptions& options) : context_(std::make_shared<Context
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13, {}};
     features.features.robustBufferAccess = VK_TRUE; // a kernel that strays must not take the process with it
     features.features.depthClamp = VK_TRUE;
-    features.features.vertexPipelineStoresAndAtomics = VK_FALSE;
     VkPhysicalDeviceFeatures offered{};
     vkGetPhysicalDeviceFeatures(c.physical, &offered);
     c.geometry_shaders = offered.geometryShader == VK_TRUE; // Metal's drivers, for one, have none
     features.features.geometryShader = offered.geometryShader;
+    features.features.vertexPipelineStoresAndAtomics = offered.vertexPipelineStoresAndAtomics;
+    features.features.fragmentStoresAndAtomics = offered.fragmentStoresAndAtomics;
+    c.stores_while_drawing =
+        offered.vertexPipelineStoresAndAtomics == VK_TRUE && offered.fragmentStoresAndAtomics == VK_TRUE;
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;

@@ -209,6 +209,10 @@ public:
     /// Texels in row order: 16 bytes each for colours, 4 for depth.
     Buffer texels(const Target& target);
 
+    /// A buffer for what a changed text writes beside what its stage does: whatever binds one buffer more
+    /// than it is given, the last at `binding`, gets this one there. Null: none. The buffer must outlive it.
+    void bind_always(std::uint32_t binding, const Buffer* buffer);
+
     /// How often the device was given work by now (dispatches, draws, copies between memories): what was
     /// spared can be counted.
     std::uint64_t submissions() const;

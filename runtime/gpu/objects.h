@@ -51,8 +51,8 @@ Owned<VkShaderModule> shader_module(const std::shared_ptr<Context>& context, con
 Bindings make_bindings(const std::shared_ptr<Context>& context, std::vector<std::uint32_t> numbers,
                        std::uint32_t constant_bytes, VkShaderStageFlags stages);
 
-/// Points the set at `buffers` and records binding it and the constants. Throws Error on a wrong number of
-/// either.
+/// Points the set at `buffers`, and at what is always bound behind them, and records binding it and the
+/// constants. Throws Error on a wrong number of either, and if the stages draw, write and may not.
 void record_bindings(Context& context, VkCommandBuffer commands, VkPipelineBindPoint point,
                      const Bindings& bindings, std::span<const VkBuffer> buffers,
                      std::span<const std::byte> constants, VkShaderStageFlags stages,

@@ -51,6 +51,9 @@ struct Context {
     VkPhysicalDeviceMemoryProperties memory{};
     DeviceInfo info;
     bool geometry_shaders = false;
+    bool stores_while_drawing = false; ///< stages that draw may write to buffers
+    std::uint32_t always_at = 0;       ///< Device::bind_always
+    VkBuffer always = VK_NULL_HANDLE;
     double time_limit = 0; ///< seconds
     std::uint64_t submissions = 0;
     bool lost = false; ///< hangs in a kernel, or was reset: nothing may be destroyed any more

@@ -20,7 +20,7 @@ public:
                                                      "uint certainty_of_taps(ivec2 texel, vec2 p) {{\n"
                                                      "    return certainty_{0}(texel, p);\n}}\n",
                                                      kernel);
-        kernel_ = resources.device.kernel(Resources::stage("hybrid/detect_beister.comp", sources), kernel);
+        kernel_ = resources.device.kernel(resources.stage("hybrid/detect_beister.comp", sources), kernel);
     }
 
     void create_maps() override {

@@ -186,10 +186,24 @@ struct Renderer::Impl : Resources {
     Hybrid& hybrid(const Technique& technique) {
         const auto found = hybrids.find(key_of(technique));
         if (found != hybrids.end()) return found->second;
+        return hybrids.emplace(key_of(technique), new_hybrid(technique)).first->second;
+    }
+
+    Hybrid new_hybrid(const Technique& technique) {
         const HybridTechnique* known = find_hybrid(technique.name);
         if (known == nullptr) throw Error("no hybrid technique \"{}\"", technique.name);
-        return hybrids.emplace(key_of(technique), Hybrid(*this, tracer, *known, technique.prune))
-            .first->second;
+        return Hybrid(*this, tracer, *known, technique.prune);
+    }
+
+    /// What `make` makes, its stages compiled with the recording's texts.
+    template <typename Make>
+    auto recorded_by(Recording& by, Make make) {
+        struct Until {
+            Recording*& recording;
+            ~Until() { recording = nullptr; }
+        } const until{recording};
+        recording = &by;
+        return make();
     }
 
     /// From maps to fixed pixels, over the G-buffer that is there.
@@ -453,37 +467,48 @@ Recorded Renderer::record(const Technique& technique, Question question,
     Stopwatch ignored;
     r.draw_gbuffer(ignored);
     r.draw_shadow_map(ignored);
-    glsl::Sources sources = answer_sources(r.sources, technique, question);
-    for (const auto& [file, text] : overlaid) sources.overlaid[file] = text;
-    gpu::Kernel kernel = r.device.kernel(r.stage("record.comp", sources), technique.name + " record");
+    Recording recording{overlaid};
+    gpu::Kernel kernel = r.device.kernel(
+        r.recorded_by(recording,
+                      [&] { return r.stage("record.comp", answer_sources(r.sources, technique, question)); }),
+        technique.name + " record");
     const gpu::Buffer wanted = r.device.upload(pixels);
     const gpu::Buffer answers = r.device.allocate(pixels.size() * sizeof(std::uint32_t));
-    const gpu::Buffer counts = r.device.allocate(pixels.size() * sizeof(std::uint32_t));
     const auto count = static_cast<std::uint32_t>(pixels.size());
     Recorded recorded;
-    recorded.firsts.assign(pixels.size() + 1, 0);
-    const auto run = [&](const gpu::Buffer& calls) {
-        const gpu::Buffer firsts = r.device.upload(recorded.firsts);
-        r.device.run(
-            kernel,
-            {&r.frame_buffer, &r.receivers, &r.depth_texels, &wanted, &firsts, &calls, &counts, &answers},
-            {.threads = {count, 1, 1}, .constants = gpu::bytes_of(count)});
-    };
-    run(r.device.upload(std::vector<std::uint32_t>{0})); // no room yet: only counts
-    const std::vector<std::uint32_t> lengths = r.device.read<std::uint32_t>(counts);
-    constexpr std::uint64_t most = std::uint64_t{1} << 28;
-    std::uint64_t total = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        total += lengths[i];
-        if (total > most) throw Error("more than {} words are recorded; take fewer pixels", most);
-        recorded.firsts[i + 1] = static_cast<std::uint32_t>(total);
-    }
-    const gpu::Buffer calls = r.device.upload(std::vector<std::uint32_t>(std::max<std::size_t>(total, 1)));
-    run(calls);
-    recorded.words = r.device.read<std::uint32_t>(calls);
-    recorded.words.resize(total);
+    recorded.calls = record_calls(r.device, 0, 0, {}, [&] {
+        r.device.run(kernel, {&r.frame_buffer, &r.receivers, &r.depth_texels, &wanted, &answers},
+                     {.threads = {count, 1, 1}, .constants = gpu::bytes_of(count)});
+    });
     recorded.answers = r.device.read<std::uint32_t>(answers);
+    recorded.stages = std::move(recording.stages);
     return recorded;
+}
+
+Recorded Renderer::record_frame(const Technique& technique, const std::vector<std::uint32_t>& pixels,
+                                const std::map<std::string, std::string>& overlaid) {
+    Impl& r = *impl_;
+    Stopwatch ignored;
+    r.draw_gbuffer(ignored);
+    Recording recording{overlaid};
+    Recorded recorded;
+    const auto frame = [&] { // some stages run when they are made
+        recording.stages.clear();
+        Hybrid hybrid = r.new_hybrid(r.chosen(technique));
+        return hybrid.run(ignored);
+    };
+    recorded.calls = record_calls(r.device, r.frame.size.x, r.frame.size.y, pixels,
+                                  [&] { r.recorded_by(recording, frame); });
+    recorded.answers = r.device.read<std::uint32_t>(r.visibility);
+    recorded.stages = std::move(recording.stages);
+    return recorded;
+}
+
+std::vector<StageText> Renderer::stages(const Technique& technique) {
+    Impl& r = *impl_;
+    Recording recording;
+    r.recorded_by(recording, [&] { return r.new_hybrid(r.chosen(technique)); });
+    return std::move(recording.stages);
 }
 
 } // namespace gnomon

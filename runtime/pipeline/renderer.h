@@ -7,6 +7,7 @@
 #include "runtime/hybrid/choice.h"
 #include "runtime/hybrid/hybrid.h"
 #include "runtime/image.h"
+#include "runtime/pipeline/recording.h"
 #include "runtime/pipeline/stopwatch.h"
 #include "runtime/pipeline/technique.h"
 #include "runtime/pipeline/view.h"
@@ -56,11 +57,12 @@ struct Capture {
     std::vector<std::uint8_t> lit; ///< (2 radius + 1)² texels, row-major, centred on `texel`
 };
 
-/// What a kernel's recorded calls wrote (kernels/pipeline/record.glslh), pixel by pixel.
+/// Kernels' calls in a frame, and what it was like meanwhile.
 struct Recorded {
-    std::vector<std::uint32_t> words;
-    std::vector<std::uint32_t> firsts;  ///< per pixel the first of its words, and where the last one's end
-    std::vector<std::uint32_t> answers; ///< what the technique answered at each pixel, as bits
+    std::vector<RecordedCall> calls;
+    /// What the technique answered at each pixel, as bits: of those asked about, or of all of a hybrid's.
+    std::vector<std::uint32_t> answers;
+    std::vector<StageText> stages;
 };
 
 class Renderer {
@@ -120,11 +122,19 @@ public:
     /// The pixels' inputs to a technique's kernel. Only pixels inside the map that face the light have any.
     std::vector<Capture> capture(const std::vector<std::uint32_t>& pixels);
 
-    /// Asks a technique of kind `kernel` at these pixels, of which the same is true. `overlaid` are texts
-    /// that stand for kernels' files (glsl::Sources) and record what they like. Throws Error if that is more
-    /// than 2^28 words.
+    /// Asks a technique of kind `kernel` at these pixels, of which the same is true; a call's x is the
+    /// number of its pixel among them. `overlaid` are texts that stand for kernels' files (Recording).
+    /// Throws Error as record_calls.
     Recorded record(const Technique& technique, Question question, const std::vector<std::uint32_t>& pixels,
                     const std::map<std::string, std::string>& overlaid);
+
+    /// A frame of a hybrid technique, whose stages record: at these pixels, or, if there are none, everywhere
+    /// and in all stages (record_calls).
+    Recorded record_frame(const Technique& technique, const std::vector<std::uint32_t>& pixels,
+                          const std::map<std::string, std::string>& overlaid);
+
+    /// The stages of a hybrid technique, none of which is run.
+    std::vector<StageText> stages(const Technique& technique);
 
 private:
     struct Impl;

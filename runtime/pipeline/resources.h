@@ -4,6 +4,7 @@
 #include "runtime/glsl/compiler.h"
 #include "runtime/gpu/device.h"
 #include "runtime/pipeline/frame.h"
+#include "runtime/pipeline/recording.h"
 #include "runtime/pipeline/technique.h"
 #include "runtime/scene.h"
 
@@ -23,15 +24,17 @@ struct Resources {
     gpu::Buffer world_texels, normal_texels; ///< the G-buffer: position and triangle + 1; shading normal
     gpu::Buffer receivers;                   ///< kernels/pipeline/receiver.glslh, per pixel
     gpu::Buffer visibility;                  ///< float per pixel: what every technique writes
+    Recording* recording = nullptr;          ///< what stages are compiled with; null: with nothing else
     std::optional<Box> seen{}; ///< of this frame's shadow rays' origins, if it was needed already (seen.h)
 
     /// A stage by its file below the kernels' folder ("hybrid/fill.comp"), or below pipeline/.
     glsl::Spirv stage(const std::string& file) const { return stage(file, sources); }
-    static glsl::Spirv stage(const std::string& file, const glsl::Sources& from) {
+    glsl::Spirv stage(const std::string& file, const glsl::Sources& from) const {
         const glsl::Stage kind = file.ends_with(".vert")   ? glsl::Stage::vertex
                                  : file.ends_with(".frag") ? glsl::Stage::fragment
                                  : file.ends_with(".geom") ? glsl::Stage::geometry
                                                            : glsl::Stage::compute;
+        if (recording != nullptr) return compile_recording(*recording, file, from, kind);
         return glsl::compile(from, stage_text(from, file), stage_name(from, file), kind);
     }
     gpu::Kernel kernel(const std::string& file) const { return device.kernel(stage(file), file); }

@@ -135,6 +135,37 @@ TEST(capture, notices_a_kernel_that_answers_otherwise_alone) {
     EXPECT_THAT(replayed.err, HasSubstr("results are not those of column captured; the first is row 1"));
 }
 
+TEST(capture, of_a_hybrid_is_what_eval_replays) {
+    const TemporaryFolder folder;
+    const std::string out = folder.path() / "calls.csv";
+    const Ran ran =
+        run_well(Arguments{"capture", "--kernel", "certainty/crsm", "--out", out, "--verify"} + small);
+    EXPECT_THAT(ran.out, HasSubstr("calls, in hybrid/detect_crsm.comp\n"));
+    const Csv all = read_csv(out);
+    const std::vector<std::string>& row = all.rows[all.rows.size() / 2];
+    const std::string pixel = row[all.column("pixel_x")] + ',' + row[all.column("pixel_y")];
+    run_well(Arguments{"capture", "--technique", "crsm", "--pixel", pixel, "--out", out} + small);
+    EXPECT_EQ(read_csv(out).rows, (std::vector<std::vector<std::string>>{row}));
+
+    run_well(Arguments{"capture", "--technique", "crsm", "--kernel", "conservative/eroded", "--most", "40",
+                       "--out", out} +
+             small);
+    const Ran again = run_gnomon({"eval", "conservative/eroded", "--in", out, "--expect", "captured"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_THAT(again.err, HasSubstr("all 40 results are those of column captured"));
+}
+
+TEST(capture, notices_a_hybrids_kernel_that_answers_otherwise_alone) {
+    const ChangedKernels kernels("certainty/crsm.glsl", "return 2u;",
+                                 "return gl_GlobalInvocationID.y > 60u ? 0u : 2u;");
+    const TemporaryFolder folder;
+    const Ran ran = run_gnomon(Arguments{"--kernels", kernels.folder(), "capture", "--kernel",
+                                         "certainty/crsm", "--verify", "--out", folder.path() / "calls.csv"} +
+                               small);
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_THAT(ran.out, HasSubstr("calls give other bits than in the pipeline"));
+}
+
 TEST(capture, notices_a_kernel_that_depends_on_its_thread) {
     const ChangedKernels kernels("smsr/case_09.glsl", "return 1.0 - p.y",
                                  "if (gl_GlobalInvocationID.y > 3u) return 0.25;\n    return 1.0 - p.y");
@@ -170,7 +201,15 @@ TEST(capture, says_what_cannot_be_captured) {
     refused({"--kernel", "rsmss/case_01", "--technique", "smsr"}, "rsmss/case_01 is not called by smsr");
     refused({"--kernel", "case"}, "--kernel case needs --pixel X,Y");
     refused({"--kernel", "case", "--technique", "nsm", "--pixel", "3,4"}, "nsm has no numbered cases");
-    refused({"--technique", "crsma", "--pixel", "3,4"}, "--technique: crsma not in");
+    refused({"--technique", "auto", "--pixel", "3,4"}, "--technique: auto not in");
+    refused({"--technique", "crsma", "--pixel", "0,0"}, "--pixel 0,0: no surface is seen there");
+    refused({"--technique", "crsma", "--case", "smsr/case_09"}, "crsma has no numbered cases");
+    refused({"--technique", "lists", "--pixel", "80,60"},
+            "lists has no kernel that says all of a pixel: give --kernel as well");
+    refused({"--technique", "lists", "--kernel", "column/hit"},
+            "lists calls column/hit nowhere in this view");
+    refused({"--technique", "traced", "--kernel", "column/hit"},
+            "column/hit is not called by traced; what it calls can be captured: (nothing)");
     refused({"--case", "smsr/case_09", "--most", "0"}, "--most");
     refused({"--case", "smsr/case_09", "--reading", "bar=ramp"}, "only --technique rsmss");
     expect_refused(folder, {"capture", "--kernel", "smsr/visibility", "--size", "1024x768", "--out", out},

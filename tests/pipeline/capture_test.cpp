@@ -86,10 +86,10 @@ void expect_cases(Renderer& renderer, const View& view, const std::string& name,
         const unsigned number = captured.kernel->number;
         std::size_t own = 0;
         for (const CapturedCall& call : captured.calls) {
-            if (number_of.at(call.pixel) != number) continue; // called by another case
+            if (number_of.at(call.pixel.value()) != number) continue; // called by another case
             ++own;
             ASSERT_EQ(call.result.front(), std::bit_cast<std::uint32_t>(call.visibility))
-                << captured.kernel->name << " at pixel " << call.pixel;
+                << captured.kernel->name << " at pixel " << *call.pixel;
         }
         EXPECT_EQ(own, static_cast<std::size_t>(std::ranges::count(numbers, number)))
             << captured.kernel->name;
@@ -144,6 +144,79 @@ TEST(CapturedCalls, OfEveryOtherKernelGiveTheSameAlone) {
     for (const char* kernel : {"revectorize/shadow_test", "revectorize/breach", "revectorize/neighbours",
                                "rsmss/with_options", "nsm/visibility"})
         EXPECT_TRUE(in_sun_alone.contains(kernel)) << kernel;
+}
+
+std::vector<const Case*> kernels_of(Renderer& renderer, const Technique& technique) {
+    std::vector<const Case*> kernels;
+    for (const ChainLink& link : chain_of(renderer.stages(technique))) kernels.push_back(link.kernel);
+    return kernels;
+}
+
+TEST(CapturedCalls, OfAHybridsStagesGiveTheSameAlone) {
+    const View view = demo_view(120, 90, 96);
+    const auto renderer = make_renderer(scene(), view);
+    const glsl::Sources sources = kernel_sources(kernels_folder());
+    std::map<std::string, std::set<std::string>> stages; // by kernel, those that called it
+    for (const HybridTechnique& known : hybrid_techniques()) {
+        if (known.name == "crsma" && !shared_device().has_geometry_shaders()) continue;
+        const Technique technique = hybrid(known.name);
+        for (const Captured& captured : capture_frame_calls(
+                 *renderer, sources, technique, kernels_of(*renderer, technique), view.settings.width, {})) {
+            EXPECT_THAT(captured.unlike_frame, IsEmpty()) << captured.kernel->name;
+            EXPECT_EQ(captured.all, captured.calls.size());
+            std::set<std::string>& known_stages = stages[captured.kernel->name];
+            const std::size_t before = known_stages.size();
+            for (const CapturedCall& call : captured.calls) known_stages.insert(captured.stages[call.stage]);
+            if (known_stages.size() > before) expect_same_alone(captured, view.settings.width);
+        }
+    }
+    // Of every kind of stage, and all kernels but column/hit and those that other kernels' texts hold.
+    const std::map<std::string, std::string> some{
+        {"certainty/beister", "hybrid/detect_beister.comp"},
+        {"certainty/bilinear", "hybrid/detect_beister.comp"},
+        {"certainty/crsm", "hybrid/detect_crsm.comp"},
+        {"column/overlaps", "hybrid/bin.comp"},
+        {"column/depth_bounds", "hybrid/fill_lists.comp"},
+        {"column/touches", "hybrid/detect_sheet.comp"},
+        {"column/opposite", "hybrid/detect_sheet.comp"},
+        {"column/plane", "hybrid/detect_sheet.comp"},
+        {"column/coverage", "hybrid/detect_lists.comp"},
+        {"column/height", "hybrid/detect_nearest.comp"},
+        {"conservative/dilated", "hybrid/dilated.vert"},
+        {"conservative/clip_box", "hybrid/dilated.vert"},
+        {"conservative/in_clip_box", "hybrid/dilated.frag"},
+        {"conservative/eroded", "hybrid/eroded.vert"},
+        {"conservative/erodes_as_published", "hybrid/one_ring.vert"},
+        {"conservative/depth_at", "hybrid/eroded.vert"},
+        {"adjacency/one_ring", "hybrid/one_ring.vert"},
+        {"adjacency/away", "hybrid/count_adjacent.comp"}};
+    for (const auto& [kernel, stage] : some)
+        EXPECT_THAT(stages[kernel], ::testing::Contains(stage)) << kernel;
+}
+
+TEST(CapturedCalls, OfAHybridAtAPixelAreThatPixelsAlone) {
+    const View view = demo_view(64, 48, 64);
+    const auto renderer = make_renderer(scene(), view);
+    const glsl::Sources sources = kernel_sources(kernels_folder());
+    const auto captured = [&](const Pixels& pixels, std::size_t most = 0) {
+        return capture_frame_calls(*renderer, sources, hybrid("crsm"),
+                                   {&find_case("certainty/crsm"), &find_case("conservative/eroded")},
+                                   view.settings.width, pixels, most);
+    };
+    const std::vector<Captured> all = captured({});
+    ASSERT_GT(all[0].calls.size(), 100u);
+    EXPECT_EQ(all[1].calls.size(), 3 * scene().triangles.size());
+    EXPECT_FALSE(all[1].calls[0].pixel);
+    const CapturedCall &one = all[0].calls[17], &other = all[0].calls[90];
+    const std::vector<Captured> two = captured({*other.pixel, *one.pixel});
+    EXPECT_THAT(two[1].calls, IsEmpty()); // a vertex is no pixel's
+    ASSERT_EQ(two[0].calls.size(), 2u);
+    EXPECT_EQ(two[0].calls[0].inputs, one.inputs);
+    EXPECT_EQ(two[0].calls[1].inputs, other.inputs);
+    const std::vector<Captured> few = captured({}, 3);
+    EXPECT_EQ(few[0].all, all[0].calls.size());
+    ASSERT_EQ(few[0].calls.size(), 3u);
+    EXPECT_EQ(few[0].calls[2].pixel, all[0].calls[2 * all[0].calls.size() / 3].pixel);
 }
 
 TEST(CapturedCalls, KnowWhichKernelsATechniqueCalls) {
@@ -242,11 +315,34 @@ TEST(CapturedCsv, HasTheKernelsColumnsThenThePixelItsAnswerAndItsVisibility) {
               ".#/..,clamp,18,18,3,2,1,2,0x1p-1\n");
 }
 
+TEST(CapturedCsv, OfAHybridSaysTheStageAndItsInvocation) {
+    Captured captured;
+    captured.kernel = &find_case("certainty/crsm");
+    captured.stages = {"hybrid/eroded.vert", "hybrid/detect_crsm.comp"};
+    CapturedCall call;
+    call.inputs.assign(9, 1);
+    call.result = {2};
+    call.invocation = {4, 5};
+    captured.calls = {call, call};
+    captured.calls[1].stage = 1;
+    captured.calls[1].pixel = 23;
+    const Csv csv = parse_csv(captured_csv(captured, 10, "one"), "captured");
+    const std::vector<std::string> tail(csv.header.end() - 7, csv.header.end());
+    EXPECT_THAT(tail, ElementsAre("pixel_x", "pixel_y", "captured", "visibility", "stage", "invocation_x",
+                                  "invocation_y"));
+    EXPECT_THAT(std::vector(csv.rows[0].end() - 7, csv.rows[0].end()),
+                ElementsAre("", "", "2", "", "hybrid/eroded.vert", "4", "5"));
+    EXPECT_THAT(std::vector(csv.rows[1].end() - 7, csv.rows[1].end()),
+                ElementsAre("3", "2", "2", "0x0p+0", "hybrid/detect_crsm.comp", "4", "5"));
+    EXPECT_EQ(read_inputs(*captured.kernel, csv).size(), 2u);
+}
+
 TEST(CapturedCsv, AddsNoColumnThatAKernelHas) {
     for (const Family& family : catalogue())
         for (const Case& c : family.cases)
             for (const std::string& column : columns(c))
-                for (const char* added : {"pixel_x", "pixel_y", "captured", "visibility"})
+                for (const char* added : {"pixel_x", "pixel_y", "captured", "visibility", "stage",
+                                          "invocation_x", "invocation_y"})
                     EXPECT_NE(column, added) << c.name;
 }
 

@@ -14,8 +14,6 @@
 namespace gnomon::testing {
 namespace {
 
-Technique hybrid(const std::string& name) { return {Technique::Kind::hybrid, name}; }
-
 std::vector<std::string> published_names() {
     std::vector<std::string> names{"beister", "bilinear", "crsm", "crsma-one-ring"};
     if (shared_device().has_geometry_shaders()) names.emplace_back("crsma");

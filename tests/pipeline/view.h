@@ -22,6 +22,7 @@ inline const Technique no_shadows{Technique::Kind::none, "none"};
 inline const Technique nsm{Technique::Kind::kernel, "nsm"};
 inline const Technique smsr{Technique::Kind::kernel, "smsr"};
 inline const Technique raytraced{Technique::Kind::raytraced, "raytraced"};
+inline Technique hybrid(const std::string& name) { return {Technique::Kind::hybrid, name}; }
 
 /// The demo scene against the light, near enough to show every kind of edge; directional light.
 View demo_view(int width, int height, int shadow_map);
