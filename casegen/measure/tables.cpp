@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace gnomon::measure {
 namespace {
@@ -55,6 +56,14 @@ std::size_t width_of(const std::string& text) {
 bool looks_like_a_number(const std::string& cell) {
     return cell == "-" || cell == "inf" || cell.starts_with('<') ||
            (!cell.empty() && cell[0] >= '0' && cell[0] <= '9');
+}
+
+/// Every row must have a cell for each column of the header.
+void require_square(const Table& table) {
+    for (const auto& row : table.rows)
+        if (row.size() != table.header.size())
+            throw std::logic_error(fmt::format("table \"{}\": a row of {} cells under {} columns",
+                                               table.title, row.size(), table.header.size()));
 }
 
 /// A column is of numbers if all its cells look like some.
@@ -119,7 +128,7 @@ Table overall_table(const GroupResult& result) {
         std::vector<std::string> row{result.group.variants[i].label};
         add_errors(row, result.accuracy[i].all, result.has_limit);
         add_times(row, result.timings, i);
-        if (!dominated.empty()) row.push_back(dominated[i] ? result.group.variants[*dominated[i]].label : "");
+        if (several) row.push_back(dominated[i] ? result.group.variants[*dominated[i]].label : "");
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -166,6 +175,7 @@ Table locus_table(const GroupResult& result) {
 }
 
 std::string to_text(const Table& table) {
+    require_square(table);
     std::vector<std::size_t> widths(table.header.size());
     for (std::size_t k = 0; k < widths.size(); ++k) {
         widths[k] = width_of(table.header[k]);
@@ -188,6 +198,7 @@ std::string to_text(const Table& table) {
 }
 
 std::string to_html(const Table& table) {
+    require_square(table);
     const std::vector<bool> numbers = columns_of_numbers(table);
     const auto row_of = [&](std::string_view tag, const std::vector<std::string>& cells) {
         std::string row = "<tr>";

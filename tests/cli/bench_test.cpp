@@ -37,6 +37,12 @@ TEST(bench_verb, without_times_the_same_call_prints_the_same) {
     EXPECT_THAT(first, Not(HasSubstr("ns")));
 }
 
+TEST(bench_verb, times_one_kernel_without_variants) {
+    const std::string text =
+        run_well({"bench", "smsr/case_09", "--rounds", "2", "--samples", "100", "--repeats", "2"}).out;
+    EXPECT_THAT(text, AllOf(HasSubstr("variant"), Not(HasSubstr("dominated by"))));
+}
+
 TEST(bench_verb, saves_a_baseline_and_tells_what_moved_against_it) {
     const testing::TemporaryFolder folder;
     const std::string file = (folder.path() / "b.json").string();
