@@ -6,8 +6,10 @@
 #include "runtime/error.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
+#include <map>
 
 namespace gnomon::measure {
 namespace {
@@ -19,55 +21,55 @@ std::string percent(std::uint64_t part, std::uint64_t whole) {
                       : fmt::format("{:.1f}", 100 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-struct Survivors {
-    Table table;
-    void add(const std::string& kernel, const Json& mutant, const std::string& at) {
-        std::string id;
-        const Json& value = member(mutant, "id", at);
-        id = value.is_string() ? value.get<std::string>() : value.dump();
-        table.rows.push_back(
-            {kernel, id,
-             fmt::format("{}:{}:{}", text_member(mutant, "file", at), count_member(mutant, "line", at),
-                         count_member(mutant, "column", at)),
-             text_member(mutant, "before", at), text_member(mutant, "after", at)});
-    }
-};
+std::vector<std::string> score_row(const std::string& kernel, const Json& counts, const std::string& at) {
+    std::vector<std::string> row{kernel};
+    for (const char* count : {"mutants", "killed", "equivalent", "tolerated", "same_code", "stillborn"})
+        row.push_back(std::to_string(count_member(counts, count, at)));
+    const std::uint64_t killed = count_member(counts, "killed", at);
+    const std::uint64_t survived = list_member(counts, "survived", at).size();
+    row.push_back(std::to_string(survived));
+    row.push_back(percent(killed, killed + survived));
+    return row;
+}
 
 } // namespace
 
 std::string mutation_section(const std::string& text, const std::string& name) {
     const Json json = parse_json(text, name);
-    Table scores{
-        "Mutation scores",
-        {},
-        {"kernel", "mutants", "killed", "equivalent", "same code", "stillborn", "survived", "score %"},
-        {}};
-    Survivors survivors{{"Surviving mutants", {}, {"kernel", "mutant", "where", "before", "after"}, {}}};
-    std::uint64_t all_killed = 0, all_survived = 0;
+    Table scores{"Mutation scores",
+                 {},
+                 {"kernel", "mutants", "killed", "equivalent", "tolerated", "same code", "stillborn",
+                  "survived", "score %"},
+                 {}};
     const Json& kernels = list_member(json, "kernels", name);
     if (kernels.empty()) throw Error("{}: holds no kernels; gnomon mutate --json writes what is shown", name);
+    std::map<std::string, std::vector<std::string>> survived_in; // by mutant, the kernels
     for (const Json& kernel : kernels) {
         const std::string kernel_name = text_member(kernel, "name", name);
         const std::string at = fmt::format("{}, kernel {}", name, kernel_name);
-        const Json& survived = list_member(kernel, "survived", at);
-        const std::uint64_t killed = count_member(kernel, "killed", at);
-        all_killed += killed;
-        all_survived += survived.size();
-        std::vector<std::string> row{kernel_name};
-        for (const char* count : {"mutants", "killed", "equivalent", "same_code", "stillborn"})
-            row.push_back(std::to_string(count_member(kernel, count, at)));
-        row.push_back(std::to_string(survived.size()));
-        row.push_back(percent(killed, killed + survived.size()));
-        scores.rows.push_back(std::move(row));
-        for (const Json& mutant : survived) survivors.add(kernel_name, mutant, at);
+        scores.rows.push_back(score_row(kernel_name, kernel, at));
+        for (const Json& mutant : list_member(kernel, "survived", at))
+            survived_in[text_member(mutant, "id", at)].push_back(kernel_name);
     }
-    scores.notes.push_back(fmt::format("{} of {} mutants that can be told from the original are killed, {} "
-                                       "%. The score is killed over killed "
-                                       "and survived: equivalent ones, those of the same code and those that "
-                                       "do not compile count for nothing.",
-                                       all_killed, all_killed + all_survived,
-                                       percent(all_killed, all_killed + all_survived)));
-    return to_sortable_html(scores) + (survivors.table.rows.empty() ? "" : to_sortable_html(survivors.table));
+    const Json& all = member(json, "all", name);
+    const std::string at = name + ", all";
+    scores.rows.insert(scores.rows.begin(), score_row("every mutant", all, at));
+    scores.notes.emplace_back(
+        "The score is killed over killed and survived: equivalent mutants (of which tolerated: their answers "
+        "differ within the tolerance), those of the same code and those that do not compile count for "
+        "nothing. A mutant of a file that kernels share counts in the row of each, and once among all.");
+    Table survivors{
+        "Surviving mutants", {}, {"mutant", "where", "operator", "before", "after", "survives in"}, {}};
+    for (const Json& mutant : list_member(all, "survived", at)) {
+        const std::string id = text_member(mutant, "id", at);
+        survivors.rows.push_back(
+            {id,
+             fmt::format("{}:{}:{}", text_member(mutant, "file", at), count_member(mutant, "line", at),
+                         count_member(mutant, "column", at)),
+             text_member(mutant, "operator", at), text_member(mutant, "before", at),
+             text_member(mutant, "after", at), fmt::format("{}", fmt::join(survived_in[id], ", "))});
+    }
+    return to_sortable_html(scores) + (survivors.rows.empty() ? "" : to_sortable_html(survivors));
 }
 
 std::string coverage_section(const std::string& text, const std::string& name) {

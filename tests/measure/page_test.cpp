@@ -143,9 +143,14 @@ TEST(report_page, dots_that_are_not_finite_or_zero_have_lanes_of_their_own) {
 }
 
 constexpr const char* mutation =
-    R"({"kernels": [{"name": "smsr/case_09", "mutants": 9, "killed": 5, "equivalent": 1,
+    R"({"kernels": [{"name": "smsr/case_09", "mutants": 10, "killed": 5, "equivalent": 2, "tolerated": 1,
  "same_code": 1, "stillborn": 1, "survived": [{"id": "m1", "file": "smsr/case_09.glsl", "line": 3, "column": 7,
- "before": "a < b", "after": "a <= b"}]}], "more": 1})";
+ "operator": "comparison", "before": "a < b", "after": "a <= b"}]},
+ {"name": "smsr/case_10", "mutants": 10, "killed": 5, "equivalent": 2, "tolerated": 1,
+ "same_code": 1, "stillborn": 1, "survived": [{"id": "m1"}]}],
+ "all": {"mutants": 14, "killed": 9, "equivalent": 2, "tolerated": 1,
+ "same_code": 1, "stillborn": 1, "survived": [{"id": "m1", "file": "smsr/case_09.glsl", "line": 3, "column": 7,
+ "operator": "comparison", "before": "a < b", "after": "a <= b"}]}, "more": 1})";
 constexpr const char* coverage = R"({"totals": {"lines": {"fixtures": 3, "all": 4, "of": 8}, "branches":
  {"fixtures": 0, "all": 0, "of": 0}, "functions": {"fixtures": 1, "all": 1, "of": 1}}, "files": [{"file":
  "smsr/case_09.glsl", "totals": {"lines": {"fixtures": 3, "all": 4, "of": 8}, "branches": {"fixtures": 0, "all": 0,
@@ -153,8 +158,10 @@ constexpr const char* coverage = R"({"totals": {"lines": {"fixtures": 3, "all": 
 
 TEST(report_page, mutation_scores_and_coverage_have_sections) {
     EXPECT_THAT(mutation_section(mutation, "m.json"),
-                AllOf(HasSubstr("5 of 6 mutants"), HasSubstr("83.3"), HasSubstr("smsr/case_09.glsl:3:7"),
-                      HasSubstr("a &lt;= b")));
+                AllOf(HasSubstr("83.3"), HasSubstr("90.0"), HasSubstr("smsr/case_09.glsl:3:7"),
+                      HasSubstr("a &lt;= b"), HasSubstr("smsr/case_09, smsr/case_10")));
+    EXPECT_EQ(count_of(mutation_section(mutation, "m.json"), "smsr/case_09.glsl:3:7"),
+              1u); // once, not by kernel
     EXPECT_THAT(coverage_section(coverage, "c.json"),
                 AllOf(HasSubstr("3/8"), HasSubstr("37.5"), HasSubstr("4/8"), HasSubstr("all files")));
     EXPECT_EQ(testing::first_unbalanced(mutation_section(mutation, "m") + coverage_section(coverage, "c")),
@@ -163,7 +170,9 @@ TEST(report_page, mutation_scores_and_coverage_have_sections) {
 
 TEST(report_page, what_is_no_mutation_or_coverage_file_is_refused_with_where_it_is_wrong) {
     for (const char* bad :
-         {"", "[]", "{\"kernels\": 1}", "{\"kernels\": [{}]}", "{\"kernels\": [{\"name\": \"k\"}]}"})
+         {"", "[]", "{\"kernels\": 1}", "{\"kernels\": [{}]}", "{\"kernels\": [{\"name\": \"k\"}]}",
+          R"({"kernels": [{"name": "k", "mutants": 0, "killed": 0, "equivalent": 0, "tolerated": 0,
+              "same_code": 0, "stillborn": 0, "survived": []}]})"})
         EXPECT_THAT(error_of([&] { mutation_section(bad, "m.json"); }),
                     AllOf(HasSubstr("m.json"), Not(HasSubstr("\n"))))
             << bad;
