@@ -234,8 +234,14 @@ std::vector<std::string> explain_failure(const CheckReport& report, const std::s
         const std::string want =
             f.in_domain ? format_result(c, f.want) : format_want(c, with) + " (input outside the domain)";
         const bool exactly = f.in_domain && exact_at(c, with);
-        lines.push_back(fmt::format("got {}, want {}, allowed {}", format_result(c, f.got), want,
-                                    exactly ? "no error: nothing is rounded here" : to_string(c.tolerance)));
+        std::string allowed = exactly ? "no error: nothing is rounded here" : to_string(c.tolerance);
+        if (f.in_domain && c.within) {
+            const std::span numbers = std::span(with.numbers).first(c.reference.words.size());
+            const Bounds bounds = c.within(numbers, c.reference.truth(with));
+            allowed += fmt::format(", from {} to {}", format_result(c, bounds.lower),
+                                   format_result(c, bounds.upper));
+        }
+        lines.push_back(fmt::format("got {}, want {}, allowed {}", format_result(c, f.got), want, allowed));
         lines.push_back(replay_command(c, f, options));
     }
     if (report.verdict == Verdict::wrong)

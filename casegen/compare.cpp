@@ -63,6 +63,16 @@ double input_distance(const Case& c, const Arguments& arguments, const Numbers& 
     return farthest;
 }
 
+bool lies_within(const Bounds& bounds, const Case& c, const Numbers& got) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(c.reference.result.components); ++k) {
+        const double lower = bounds.lower[k], upper = bounds.upper[k];
+        if (!(got[k] >= lower && got[k] <= upper)) return false;
+        const bool is_one_zero = lower == 0 && upper == 0 && std::signbit(lower) == std::signbit(upper);
+        if (is_one_zero && std::signbit(got[k]) != std::signbit(lower)) return false;
+    }
+    return true;
+}
+
 } // namespace
 
 double ulps_between(float a, float b) {
@@ -91,14 +101,7 @@ bool exact_at(const Case& c, const Arguments& arguments) {
 bool keeps_rule(const Case& c, const Arguments& arguments, const Numbers& got) {
     if (!c.outside) return true;
     const auto bounds = c.outside(std::span(arguments.numbers).first(c.reference.words.size()));
-    if (!bounds) return true;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(c.reference.result.components); ++k) {
-        const double lower = bounds->lower[k], upper = bounds->upper[k];
-        if (!(got[k] >= lower && got[k] <= upper)) return false;
-        const bool is_one_zero = lower == 0 && upper == 0 && std::signbit(lower) == std::signbit(upper);
-        if (is_one_zero && std::signbit(got[k]) != std::signbit(lower)) return false;
-    }
-    return true;
+    return !bounds || lies_within(*bounds, c, got);
 }
 
 Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::uint32_t> result,
@@ -121,6 +124,8 @@ Agreement judge(const Case& c, const Arguments& arguments, std::span<const std::
             if (std::isnan(of_component)) return {false, infinity};
             error = std::max(error, of_component);
         }
+        const std::span numbers = std::span(arguments.numbers).first(c.reference.words.size());
+        if (c.within && !lies_within(c.within(numbers, truth), c, got)) return {false, infinity};
         return {error <= c.tolerance.amount, error};
     }
     const Numbers want = known ? known->value : c.reference.call(arguments);

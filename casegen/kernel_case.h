@@ -191,6 +191,9 @@ struct Case {
     /// What the rule asks for at an input outside the domain (one number per word), where that is more than
     /// any number within the result's range; optional.
     std::function<std::optional<Bounds>(std::span<const double> numbers)> outside;
+    /// What a result must lie within besides, at an input of the domain with this truth: that a bound holds
+    /// what it bounds, which no tolerance says; optional, for references with a truth.
+    std::function<Bounds(std::span<const double> numbers, const Truth& truth)> within;
 };
 
 /// For exact_where: all are multiples of 2^-22, so that among numbers of magnitude 1 sums of a few stay

@@ -144,6 +144,19 @@ TEST(outside, a_rule_is_asked_for_where_the_input_is_in_no_domain_and_nowhere_el
     EXPECT_EQ(wanted(2), "anything from -1000 to 1000");
 }
 
+TEST(within, is_asked_for_besides_the_tolerance_where_the_input_is_in_the_domain) {
+    Case c = make_case(one_known_to_a_thousandth, 4);
+    c.within = [](std::span<const double> n, const Truth& truth) {
+        return Bounds{{truth.value[0]}, {truth.value[0] + n[0] * 0x1p-10}}; // from above, and half as far
+    };
+    const auto passes = [&](double x, float result) { return judge_at(c, x, result).pass; };
+    EXPECT_TRUE(passes(0.5, 1) && passes(0.5, 1 + 0x1p-11f));
+    EXPECT_FALSE(passes(0.5, 1 - 0x1p-20f) || passes(0.5, 1 + 0x1p-10f));
+    EXPECT_TRUE(passes(2, -999)) << "outside the domain only the range counts";
+    c.tolerance = conditioned(0x1p-4);
+    EXPECT_FALSE(passes(0.5, 1 + 0x1p-11f)) << "the tolerance holds too";
+}
+
 TEST(conditioned, denormal_inputs_are_outside_the_domain_of_a_reference_with_a_truth) {
     const Case c = make_case(one_known_to_a_thousandth, 4);
     Arguments arguments;
