@@ -8,7 +8,8 @@ uint column_coverage(vec2 a, vec2 b, vec2 c, vec2 p, float margin) {
     precise vec2 pa = a - p, pb = b - p, pc = c - p;
     // Four roundings of the distance are what the products below are good to: 2^-21 is twice that, where the margin leaves less.
     vec2 far = max(max(abs(pa), abs(pb)), abs(pc));
-    float off = max(2.0 * margin, 4.76837158203125e-7 * max(far.x, far.y));
+    float off = 2.0 * margin, least = 4.76837158203125e-7 * max(far.x, far.y);
+    if (off < least) off = least; // not max, which may leave out a NaN
     if (!column_overlaps(a, b, c, p, off)) return 8u;
     // From the corners themselves: the differences to a point far away are too coarse for a short edge's direction.
     precise vec2 ab = b - a, bc = c - b, ca = a - c;
