@@ -1,8 +1,9 @@
 // The table of kernels/column: what is certain of a ray towards the light, or of a texel's square, and a
 // triangle in the light's view, when neither is known better than to a margin.
 //
-// References say where an answer lies that is exactly what margins ask for; kernels may round. So yes and no
-// are compared where coordinates wrong by 2^-20 of the largest would not change the answer, 16 roundings.
+// References say where an answer lies that is exactly what margins ask for, and the least margins that
+// kernels take; kernels may round. So yes and no are compared where coordinates wrong by 2^-20 of the largest
+// would not change the answer, 16 roundings, or where no float that a sum may be rounded to would.
 // That kernels are never certain and wrong has no such exception, and is tested exactly:
 // tests/hybrid_kernels/column_test.cpp.
 #include "casegen/reference/hybrid/column.h"
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 
 namespace gnomon {
 namespace {
@@ -43,6 +46,17 @@ double rounding(const Arguments& arguments, std::initializer_list<std::size_t> w
     return 0x1p-20 * largest + 0x1p-50;
 }
 
+/// Whether all are whole multiples of a power of two, and no more than 64 of them: products of differences
+/// are floats then, and what does not touch is farther away than doubles round.
+bool is_on_coarse_grid(const Arguments& arguments, std::size_t count) {
+    double largest = 0;
+    for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::abs(arguments.numbers[i]));
+    const double unit = std::exp2(std::ceil(std::log2(largest)) - 6);
+    return largest == 0 || std::ranges::all_of(std::span(arguments.numbers).first(count), [&](double x) {
+               return std::nearbyint(x / unit) == x / unit;
+           });
+}
+
 // --- references
 // ------------------------------------------------------------------------------------------------------
 
@@ -50,6 +64,7 @@ bool overlaps(dvec2 a, dvec2 b, dvec2 c, dvec2 centre, double half_side) {
     return truth::meets_square({place(a), place(b), place(c)}, place(centre), half_side);
 }
 bool overlaps_clearly(const Arguments& arguments) {
+    if (is_on_coarse_grid(arguments, 9)) return true;
     const truth::Triangle<double> triangle = truth::triangle_of(arguments);
     const double half = arguments.numbers[8], off = rounding(arguments, {0, 1, 2, 3, 4, 5, 6, 7, 8});
     const Place centre = place_at(arguments, 6);
@@ -61,6 +76,7 @@ bool touches(dvec2 a, dvec2 b, dvec2 centre, double half_side) {
     return truth::segment_meets_square(place(a), place(b), place(centre), half_side);
 }
 bool touches_clearly(const Arguments& arguments) {
+    if (is_on_coarse_grid(arguments, 7)) return true;
     const Place a = place_at(arguments, 0), b = place_at(arguments, 2), centre = place_at(arguments, 4);
     const double half = arguments.numbers[6], off = rounding(arguments, {0, 1, 2, 3, 4, 5, 6});
     return truth::segment_meets_square(a, b, centre, half + off) ==
@@ -70,14 +86,9 @@ bool touches_clearly(const Arguments& arguments) {
 bool opposite(dvec2 a, dvec2 b, dvec2 c, dvec2 d, double margin) {
     return truth::are_opposite(place(a), place(b), place(c), place(d), margin);
 }
-/// It may give up early, but not before margins are four times as large.
 bool opposite_clearly(const Arguments& arguments) {
-    const double margin = arguments.numbers[8], off = rounding(arguments, {0, 1, 2, 3, 4, 5, 6, 7});
-    const auto with = [&](double by) {
-        return truth::are_opposite(place_at(arguments, 0), place_at(arguments, 2), place_at(arguments, 4),
-                                   place_at(arguments, 6), std::max(by, 0.0));
-    };
-    return margin >= 0 && with(margin - off) == with(4 * margin + off);
+    return truth::is_clear_opposite(place_at(arguments, 0), place_at(arguments, 2), place_at(arguments, 4),
+                                    place_at(arguments, 6), arguments.numbers[8]);
 }
 
 unsigned coverage(dvec2 a, dvec2 b, dvec2 c, dvec2 p, double margin) {
@@ -88,31 +99,14 @@ bool covers_clearly(const Arguments& arguments) {
                                     arguments.numbers[8], rounding(arguments, {0, 1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
-/// The margin is no less than the rounding of corners as seen from the point, as the pipeline's is: who
-/// rounds takes it for that, and from farther away a triangle looks too thin for a plane, whatever it is.
-bool is_asked_near(const Arguments& arguments, std::size_t margin) {
-    double farthest = 0;
-    for (std::size_t corner = 0; corner < 9; corner += 3)
-        for (std::size_t axis = 0; axis < 2; ++axis)
-            farthest =
-                std::max(farthest, std::abs(arguments.numbers[corner + axis] - arguments.numbers[9 + axis]));
-    return farthest * 0x1p-24 <= arguments.numbers[margin];
-}
-
 unsigned height(dvec3 a, dvec3 b, dvec3 c, dvec3 origin, double tmin, double margin, double margin_z) {
-    return truth::height(solid(a, b, c), {origin.x, origin.y}, origin.z - tmin, margin, margin_z);
+    return truth::height(solid(a, b, c), {origin.x, origin.y}, origin.z, tmin, margin, margin_z);
 }
 bool is_high_clearly(const Arguments& arguments) {
     const auto& n = arguments.numbers;
-    const truth::Solid triangle = solid_of(arguments);
-    if (!is_asked_near(arguments, 13) || truth::has_plane(triangle, n[13]) == 2) return false;
-    const double across = rounding(arguments, {0, 1, 3, 4, 6, 7, 9, 10, 13}),
-                 along = rounding(arguments, {2, 5, 8, 11, 12, 14});
-    const auto with = [&](double sign) {
-        return truth::height(triangle, place_at(arguments, 9), n[11] - n[12], n[13], n[14] + sign * along,
-                             sign * across);
-    };
-    return with(1) == with(-1);
+    return truth::is_clear_height(solid_of(arguments), place_at(arguments, 9), n[11], n[12], n[13], n[14],
+                                  rounding(arguments, {0, 1, 3, 4, 6, 7, 9, 10, 13}),
+                                  rounding(arguments, {2, 5, 8, 11, 12, 14}));
 }
 
 unsigned hit(dvec3 a, dvec3 b, dvec3 c, dvec3 origin, double tmin, double margin, double margin_z) {
@@ -128,11 +122,44 @@ bool hits_clearly(const Arguments& arguments) {
                                     rounding(arguments, {0, 1, 3, 4, 6, 7, 9, 10, 13}));
 }
 
-bool has_plane(const Arguments& arguments) {
-    return is_asked_near(arguments, 12) && truth::has_plane(solid_of(arguments), arguments.numbers[12]) == 1;
+unsigned known_plane(const Arguments& arguments) {
+    return truth::has_plane(solid_of(arguments), place_at(arguments, 9), arguments.numbers[12]);
 }
-bool has_plane_or_none(const Arguments& arguments) {
-    return is_asked_near(arguments, 12) && truth::has_plane(solid_of(arguments), arguments.numbers[12]) != 2;
+bool has_plane(const Arguments& arguments) { return known_plane(arguments) == 1; }
+bool has_plane_or_none(const Arguments& arguments) { return known_plane(arguments) != 2; }
+
+/// No plane: of what is not finite, nor of a triangle too thin for its margin.
+std::optional<Bounds> no_plane(std::span<const double> n) {
+    const Bounds none = exactly({0, 0, 0, infinity});
+    if (n[11] < 0) return {};
+    const auto finite = [](double x) { return std::isfinite(x); };
+    if (!std::ranges::all_of(n.first(12), finite) || std::isnan(n[12]) || n[12] == infinity) return none;
+    Arguments arguments;
+    std::ranges::copy(n, arguments.numbers.begin());
+    if (n[12] < 0) arguments.numbers[12] = 0; // there is a least margin
+    const double too_deep = 2 * static_cast<double>(std::numeric_limits<float>::max());
+    if (known_plane(arguments) == 0 || std::abs(truth::column_plane(arguments).value[2]) > too_deep)
+        return none;
+    return {};
+}
+
+/// Of a margin that is NaN no edge is sure, whether or not the point is near the triangle.
+std::optional<Bounds> all_unsure(std::span<const double> n) {
+    const auto near = [](double x) { return std::abs(x) <= hybrid::farthest; };
+    if (std::isnan(n[8]) && std::ranges::all_of(n.first(8), near)) return exactly({7});
+    return {};
+}
+
+/// Nor is any depth known to within a margin that is NaN.
+std::optional<Bounds> never_certain(std::span<const double> n) {
+    if (!std::isnan(n[14])) return {};
+    return exactly({2});
+}
+
+/// Of no depth nothing is certain.
+std::optional<Bounds> no_depth(std::span<const double> n) {
+    if (!std::isnan(n[2]) || !std::isnan(n[5]) || !std::isnan(n[8])) return {};
+    return exactly({-infinity, infinity});
 }
 
 // --- inputs
@@ -140,8 +167,8 @@ bool has_plane_or_none(const Arguments& arguments) {
 
 /// Triangles, with a margin at `margin`: as small as roundings of the coordinates, which is what the pipeline
 /// asks for, or as large as the triangles.
-std::shared_ptr<const Generator> with_margin(const char* name, const hybrid::Layout& layout,
-                                             std::size_t margin, std::size_t margin_z = 0) {
+std::shared_ptr<Generator> with_margin(const char* name, const hybrid::Layout& layout, std::size_t margin,
+                                       std::size_t margin_z = 0) {
     auto generator = std::make_shared<Generator>(*hybrid::triangles(name, layout));
     const auto small = [layout, margin, margin_z](Random& random, std::span<double> numbers) {
         double largest = 0;
@@ -155,6 +182,161 @@ std::shared_ptr<const Generator> with_margin(const char* name, const hybrid::Lay
         draw(random, numbers);
         if (random.chance(0.75)) small(random, numbers);
     };
+    return generator;
+}
+
+double to_either_side(Random& random, double distance) {
+    return random.chance(0.5) ? 1 + distance : 1 - distance;
+}
+double in_map(double x) { return std::clamp(x, -hybrid::farthest, hybrid::farthest); }
+
+/// A point as near to an edge as makes column_coverage unsure. The edge lies on an axis, where products of
+/// the small offset are good to its last digits.
+Locus beside_an_edge(std::size_t stride, std::size_t point, std::size_t margin) {
+    return {"as far from an edge as is unsure", "margins",
+            [stride, point, margin](Random& random, double distance, std::span<double> n) {
+                const double size = std::exp2(-10 + 20 * random.unit());
+                const auto any = [&] { return size * (2 * random.unit() - 1); };
+                const std::size_t first = random.below(3), axis = random.below(2), other = 1 - axis;
+                const std::size_t a = first * stride, b = (first + 1) % 3 * stride,
+                                  c = (first + 2) % 3 * stride;
+                n[a + axis] = any(), n[b + axis] = any(), n[a + other] = n[b + other] = 0;
+                n[c + axis] = any(), n[c + other] = any() * std::exp2(3 * random.unit() - 1);
+                n[point + axis] = n[a + axis] + random.unit() * (n[b + axis] - n[a + axis]);
+                n[margin] = random.chance(0.5) ? 0 : size * std::exp2(-6 - 20 * random.unit());
+                double far = std::abs(n[c + other]);
+                for (const std::size_t corner : {a, b, c})
+                    far = std::max(far, std::abs(n[corner + axis] - n[point + axis]));
+                const double off = std::max(2 * n[margin], 0x1p-21 * far) * to_either_side(random, distance);
+                n[point + other] = random.chance(0.9) ? std::copysign(off, n[c + other]) : -off;
+            }};
+}
+
+/// Small whole numbers, some of them alike; lengths from `lengths` on.
+Locus on_a_coarse_grid(std::size_t lengths) {
+    return {"on a coarse grid", "borders", [lengths](Random& random, double, std::span<double> n) {
+                const int reach = random.chance(0.5) ? 4 : 32;
+                const double unit = std::exp2(random.between(-20, 10));
+                for (double& number : n) number = unit * random.between(-reach, reach);
+                for (double& length : n.subspan(lengths)) length = std::abs(length);
+            }};
+}
+
+std::shared_ptr<const Generator> triangles_and_squares() {
+    auto generator =
+        std::make_shared<Generator>(*hybrid::triangles("column/overlaps", {.points = {6}, .extents = {8}}));
+    generator->loci.push_back(on_a_coarse_grid(8));
+    generator->loci.push_back(
+        {"at the tip of a needle", "slivers", [](Random& random, double distance, std::span<double> n) {
+             // The corner opposite to a short edge, from which the two long ones' rounded area is too far.
+             const std::size_t tip = 2 * random.below(3), from = (tip + 2) % 6, to = (tip + 4) % 6;
+             const double length = std::hypot(n[tip] - n[from], n[tip + 1] - n[from + 1]);
+             n[8] = length * std::exp2(-19 + 12 * random.unit());
+             for (std::size_t k = 0; k < 2; ++k) {
+                 n[to + k] = in_map(n[from + k] + distance * length * (2 * random.unit() - 1));
+                 n[6 + k] = in_map(n[tip + k] + n[8] * (2 * random.unit() - 1));
+             }
+         }});
+    return generator;
+}
+
+std::shared_ptr<const Generator> triangles_and_points() {
+    auto generator = with_margin("column/coverage", {.points = {6}, .extents = {8}}, 8);
+    generator->loci.push_back(beside_an_edge(2, 6, 8));
+    generator->loci.push_back(on_a_coarse_grid(8));
+    return generator;
+}
+
+std::shared_ptr<const Generator> lines_and_points() {
+    auto generator = with_margin("column/opposite", {.points = {6}, .extents = {8}}, 8);
+    generator->loci.push_back(
+        {"as far from the line as is unsure", "margins",
+         [](Random& random, double distance, std::span<double> n) {
+             // The line is an axis, as in beside_an_edge; c and d are on both sides of it.
+             const double size = std::exp2(-10 + 20 * random.unit());
+             const auto any = [&] { return size * (2 * random.unit() - 1); };
+             const std::size_t axis = random.below(2), other = 1 - axis;
+             n[axis] = any(), n[2 + axis] = any(), n[other] = n[2 + other] = 0;
+             n[4 + axis] = any(), n[6 + axis] = any();
+             n[4 + other] = any(), n[6 + other] = -std::copysign(any(), n[4 + other]);
+             n[8] = random.chance(0.5) ? 0 : size * std::exp2(-6 - 20 * random.unit());
+             const std::size_t near = random.chance(0.5) ? 4 : 6;
+             const double along = std::abs(n[2 + axis] - n[axis]),
+                          across = std::abs(n[near + axis] - n[axis]);
+             const double off = 2 * n[8] * (1 + across / along) + 0x1p-21 * across;
+             n[near + other] = in_map(std::copysign(off * to_either_side(random, distance), n[near + other]));
+         }});
+    generator->loci.push_back({"as large a margin as there may be", "margins",
+                               [](Random& random, double distance, std::span<double> n) {
+                                   const double x = n[2] - n[0], y = n[3] - n[1];
+                                   double least = hybrid::farthest;
+                                   for (const std::size_t i : {4, 6}) {
+                                       const double to_x = n[i] - n[0], to_y = n[i + 1] - n[1];
+                                       const double all =
+                                           std::abs(x) + std::abs(y) + std::abs(to_x) + std::abs(to_y);
+                                       if (all > 0)
+                                           least = std::min(least, std::abs(x * to_y - y * to_x) / (2 * all));
+                                   }
+                                   n[8] = in_map(least * to_either_side(random, distance));
+                               }});
+    generator->loci.push_back(on_a_coarse_grid(8));
+    return generator;
+}
+
+std::shared_ptr<const Generator> triangles_and_rays() {
+    auto generator =
+        with_margin("column/rays",
+                    {.stride = 3, .points = {9}, .extents = {12, 13, 14}, .depths = {2, 5, 8, 11}}, 13, 14);
+    generator->loci.push_back(beside_an_edge(3, 9, 13));
+    generator->loci.push_back(
+        {"as deep as is unsure", "margins", [](Random& random, double distance, std::span<double> n) {
+             // No plane; one end of the triangle's depths is 0, where nothing is rounded.
+             n[13] = hybrid::farthest;
+             const double size = std::exp2(-10 + 20 * random.unit()), sign = random.chance(0.5) ? 1 : -1;
+             double deepest = 0;
+             for (const std::size_t i : {2, 5, 8})
+                 deepest = std::max(deepest, std::abs(n[i] = sign * size * random.unit()));
+             n[14] = random.chance(0.3) ? size * std::exp2(-22 * random.unit()) : 0;
+             // And from the origin to the end it is no way, or a long one.
+             n[12] = random.chance(0.5) ? 0 : size * (1 + random.unit());
+             n[2 + 3 * random.below(3)] = 0;
+             const double off = std::max(n[14], 0x1p-22 * std::max(deepest, 2 * n[12]));
+             n[11] = n[12] - sign * off * to_either_side(random, distance);
+         }});
+    generator->loci.push_back(
+        {"depths on a coarse grid", "borders", [](Random& random, double, std::span<double> n) {
+             n[2] = n[5] = n[8] = random.between(-4, 4);
+             if (random.chance(0.5)) n[5] = random.between(-4, 4);
+             n[11] = random.between(-4, 4), n[12] = random.between(0, 4), n[14] = random.between(0, 4);
+             if (random.chance(0.5)) n[13] = hybrid::farthest; // no plane
+         }});
+    return generator;
+}
+
+std::shared_ptr<const Generator> planes() {
+    auto generator = with_margin("column/squares",
+                                 {.stride = 3, .points = {9}, .extents = {11, 12}, .depths = {2, 5, 8}}, 12);
+    generator->loci.push_back(
+        {"as thin as a plane may be", "slivers", [](Random& random, double distance, std::span<double> n) {
+             const double x = n[3] - n[0], y = n[4] - n[1], to_x = n[6] - n[0], to_y = n[7] - n[1];
+             const double longest = std::max({std::abs(x) + std::abs(y), std::abs(to_x) + std::abs(to_y),
+                                              std::abs(to_x - x) + std::abs(to_y - y)});
+             if (longest == 0) return;
+             const double margin =
+                 std::abs(x * to_y - y * to_x) / (64 * longest) * to_either_side(random, distance);
+             n[12] = margin;
+             if (random.chance(0.5)) return;
+             // Or as seen from so far away.
+             n[12] = 0;
+             n[9 + random.below(2)] = in_map(std::exp2(24) * (random.chance(0.5) ? margin : -margin));
+         }});
+    generator->loci.push_back(
+        {"seen from far away", "margins", [](Random& random, double, std::span<double> n) {
+             for (double& at : n.subspan(9, 2)) at = in_map(at * std::exp2(12 * random.unit()));
+             n[11] = n[12] = 0;
+         }});
+    generator->loci.push_back(
+        {"at one depth", "borders", [](Random&, double, std::span<double> n) { n[5] = n[8] = n[2]; }});
     return generator;
 }
 
@@ -177,6 +359,7 @@ std::shared_ptr<const Generator> segments() {
              const double t = 1 + random.unit();
              n[2] = n[0] + t * (x - n[0]), n[3] = n[1] + t * (y - n[1]);
          }});
+    generator->loci.push_back(on_a_coarse_grid(6));
     return generator;
 }
 
@@ -215,11 +398,8 @@ const char* const unsure = "what is not finite makes it unsure or is left out; n
 } // namespace
 
 Family column_family() {
-    const hybrid::Layout over_ray{
-        .stride = 3, .points = {9}, .extents = {12, 13, 14}, .depths = {2, 5, 8, 11}};
-    const hybrid::Layout over_square{.stride = 3, .points = {9}, .extents = {11, 12}, .depths = {2, 5, 8}};
-    const auto rays = with_margin("column/rays", over_ray, 13, 14);
-    const auto squares = with_margin("column/squares", over_square, 12);
+    const auto rays = triangles_and_rays();
+    const auto squares = planes();
     return {
         "column",
         "what is certain of a triangle and a ray towards the light, or a texel's square, to within margins",
@@ -232,7 +412,7 @@ Family column_family() {
                     flat({across("centre", square), length("half_side", "texels", "half its side")}),
                 .result = {0, 1, "1", "whether the triangle meets the square"},
                 .where = overlaps_clearly,
-                .generator = hybrid::triangles("column/overlaps", {.points = {6}, .extents = {8}}),
+                .generator = triangles_and_squares(),
                 .rule = "NaN separates nothing: it may say true of what it has no place for",
             },
             {
@@ -255,7 +435,7 @@ Family column_family() {
                                margin("how far each may be from its true place, in x and in y")},
                 .result = {0, 1, "1", "whether c and d are certainly on opposite sides of ab"},
                 .where = opposite_clearly,
-                .generator = with_margin("column/opposite", {.points = {6}, .extents = {8}}, 8),
+                .generator = lines_and_points(),
                 .rule = "NaN is on no side",
             },
             {
@@ -266,8 +446,9 @@ Family column_family() {
                                     margin("how far they may be from their true places, in x and in y")}),
                 .result = {0, 8, "1", "0 within, 8 outside, else bits of edges: ab 1, bc 2, ca 4"},
                 .where = covers_clearly,
-                .generator = with_margin("column/coverage", {.points = {6}, .extents = {8}}, 8),
-                .rule = "of NaN nothing is certain: an edge with it is unsure",
+                .generator = triangles_and_points(),
+                .rule = "of NaN nothing is certain: an edge with it is unsure, and all with a margin of it",
+                .outside = all_unsure,
             },
             {
                 .name = "column/plane",
@@ -284,6 +465,7 @@ Family column_family() {
                 .where = has_plane,
                 .generator = squares,
                 .rule = "too thin for its margin, or not finite: depth 0, wrong by infinity",
+                .outside = no_plane,
             },
             {
                 .name = "column/depth_bounds",
@@ -298,6 +480,7 @@ Family column_family() {
                 .generator = squares,
                 .rule = "too thin for a plane: the nearest and the farthest corner; corners that are NaN are "
                         "left out, and of none at all nothing is certain: -infinity and infinity",
+                .outside = no_depth,
             },
             {
                 .name = "column/height",
@@ -307,7 +490,8 @@ Family column_family() {
                 .result = {0, 2, "1", "0 certainly not above the origin, 1 certainly, 2 unsure"},
                 .where = is_high_clearly,
                 .generator = rays,
-                .rule = unsure,
+                .rule = "what is not finite is left out, but for a margin of depths: then it is unsure",
+                .outside = never_certain,
             },
             {
                 .name = "column/hit",

@@ -1,6 +1,7 @@
 #include "casegen/reference/hybrid/column.h"
 
 #include "casegen/reference/hybrid/number.h"
+#include "casegen/reference/hybrid/rounded.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -44,8 +45,14 @@ Outline clipped(const Outline& outline, double Place::*axis, double sign, double
     return kept;
 }
 
+/// What touches the square meets it: a little more than doubles round.
 bool polygon_meets_square(Outline outline, Place centre, double half_side) {
-    for (Place& p : outline) p = {p.x - centre.x, p.y - centre.y};
+    double farthest = 0;
+    for (Place& p : outline) {
+        p = {p.x - centre.x, p.y - centre.y};
+        farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
+    }
+    half_side += 0x1p-40 * farthest;
     for (double Place::*axis : {&Place::x, &Place::y})
         for (const double sign : {-1.0, 1.0}) outline = clipped(outline, axis, sign, half_side);
     return !outline.empty();
@@ -55,13 +62,21 @@ Place moved(Place p, unsigned corner, double by) {
     return {p.x + ((corner & 1) != 0 ? by : -by), p.y + ((corner & 2) != 0 ? by : -by)};
 }
 
-/// On which side of ab all of c's square is, wherever a and b are in theirs: 1, -1, or 0 if it is not.
+/// The sum of a vector's absolute components.
+double extent(Place from, Place to) { return std::abs(to.x - from.x) + std::abs(to.y - from.y); }
+
+/// Sums that are no more than this may be all that is left of products that vanish.
+constexpr double vanishing = static_cast<double>(1e-37F);
+
+/// On which side of ab all of c's square is, wherever a and b are in theirs: 1, -1, or 0 if it is not, or not
+/// by more than the eight roundings that are left unsure.
 int side_for_all(Place a, Place b, Place c, double margin) {
     int side = 0;
+    const double unsure = 0x1p-21 * extent(a, b) * extent(a, c) + vanishing;
     for (unsigned i = 0; i < 64; ++i) {
         const double area =
             area2(moved(a, i >> 4, margin), moved(b, i >> 2 & 3, margin), moved(c, i & 3, margin));
-        const int here = area > 0 ? 1 : area < 0 ? -1 : 0;
+        const int here = area > unsure ? 1 : area < -unsure ? -1 : 0;
         if (here == 0 || (i > 0 && here != side)) return 0; // most are, and soon
         side = here;
     }
@@ -96,16 +111,29 @@ T magnitude(const T& x) {
     return x < T(0) ? T(0) - x : x;
 }
 
+/// That sum as floats make it: what is 2^30 times as large it leaves as it is.
+Rounded and_vanishing(const Rounded& unsure) { return unsure.low() > 0x1p-90 ? unsure : unsure + vanishing; }
+
+/// The farthest that a corner is from a point, in x or in y.
+double farthest_corner(const Triangle<double>& triangle, Place p) {
+    double farthest = 0;
+    for (const Place& corner : triangle)
+        farthest = std::max({farthest, std::abs(corner.x - p.x), std::abs(corner.y - p.y)});
+    return farthest;
+}
+
 /// Slope along x and y, depth, and how wrong that may be, round the point at 9 and 10 within half_side at 11,
-/// of corners that may be off by the margin at 12.
+/// of corners that may be off by the margin at 12; and by no less than half an ulp of how far they are.
 template <typename T>
 std::array<T, 4> plane(const std::array<T, 16>& n) {
     const std::array<T, 3> x{n[0] - n[9], n[3] - n[9], n[6] - n[9]}, z{n[2], n[5], n[8]},
         y{n[1] - n[10], n[4] - n[10], n[7] - n[10]};
     const Weights<T> weights(x, y);
     std::array<T, 4> found{T(0), T(0), T(0), T(0)};
-    T largest(0);
+    T largest(0), margin = n[12];
     for (std::size_t i = 0; i < 3; ++i) {
+        for (const T& away : {x[i], y[i]})
+            if (margin < T(0x1p-24) * magnitude(away)) margin = T(0x1p-24) * magnitude(away);
         // Less the first corner's depth: it drops out of both slopes, and the doubles keep their digits.
         found[0] = found[0] + weights.by_x[i] * (z[i] - z[0]);
         found[1] = found[1] + weights.by_y[i] * (z[i] - z[0]);
@@ -115,7 +143,7 @@ std::array<T, 4> plane(const std::array<T, 16>& n) {
     }
     found[2] = found[2] + z[0];
     const T steep = magnitude(found[0]) + magnitude(found[1]);
-    found[3] = T(2) * n[12] * steep * (largest < T(1) ? T(1) : largest);
+    found[3] = T(2) * margin * steep * largest;
     // The arithmetic's own error: 2^-23 of the rise, times the longest side and the farthest corner over the
     // area.
     const auto greater = [](const T& p, const T& q) { return p < q ? q : p; };
@@ -171,12 +199,16 @@ bool are_opposite(Place a, Place b, Place c, Place d, double margin) {
 }
 
 namespace {
-unsigned coverage_wound(const Triangle<double>& triangle, Place p, double margin, double turn) {
-    if (!meets_square(triangle, p, 2 * margin)) return 8;
+/// Twice the margin, and no less than eight roundings of how far corners are.
+double unsure_within(const Triangle<double>& triangle, Place p, double margin) {
+    return std::max(2 * margin, 0x1p-21 * farthest_corner(triangle, p));
+}
+unsigned coverage_wound(const Triangle<double>& triangle, Place p, double off, double turn) {
+    if (!meets_square(triangle, p, off)) return 8;
     unsigned unsure = 0;
     for (unsigned i = 0; i < 3; ++i)
         for (unsigned corner = 0; corner < 4; ++corner)
-            if (!(turn * area2(triangle[i], triangle[(i + 1) % 3], moved(p, corner, 2 * margin)) > 0))
+            if (!(turn * area2(triangle[i], triangle[(i + 1) % 3], moved(p, corner, off)) > vanishing))
                 unsure |= 1u << i;
     return unsure;
 }
@@ -184,48 +216,119 @@ double area_of(const Triangle<double>& t) { return area2(t[0], t[1], t[2]); }
 } // namespace
 
 unsigned coverage(const Triangle<double>& triangle, Place p, double margin) {
-    return coverage_wound(triangle, p, margin, area_of(triangle) < 0 ? -1 : 1);
+    return coverage_wound(triangle, p, unsure_within(triangle, p, margin), area_of(triangle) < 0 ? -1 : 1);
 }
 
 bool is_clear_coverage(const Triangle<double>& triangle, Place p, double margin, double rounding) {
-    const double turn = area_of(triangle) < 0 ? -1 : 1;
-    double around = 0;
-    for (std::size_t i = 0; i < 3; ++i) around += length(triangle[i], triangle[(i + 1) % 3]);
-    const unsigned wide = coverage_wound(triangle, p, margin + rounding, turn);
-    if (wide != coverage_wound(triangle, p, std::max(0.0, margin - rounding), turn)) return false;
-    return std::abs(area_of(triangle)) > rounding * around || wide == 8 ||
-           wide == coverage_wound(triangle, p, margin, -turn);
+    const double off = unsure_within(triangle, p, margin);
+    const bool meets = meets_square(triangle, p, off + rounding);
+    if (meets != meets_square(triangle, p, std::max(0.0, off - rounding))) return false;
+    if (!meets) return true;
+    // Which edges are near is asked of every float that their sums may be rounded to.
+    std::array<Rounded, 3> x{0, 0, 0}, y{0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i)
+        x[i] = Rounded(triangle[i].x) - p.x, y[i] = Rounded(triangle[i].y) - p.y;
+    Rounded far = 0;
+    for (std::size_t i = 0; i < 3; ++i) far = max(far, max(abs(x[i]), abs(y[i])));
+    const Rounded within = max(2 * margin, 0x1p-21 * far);
+    std::array<Rounded, 3> at{0, 0, 0}, unsure{0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Place &here = triangle[i], &next = triangle[(i + 1) % 3];
+        const Rounded along_x = Rounded(next.x) - here.x, along_y = Rounded(next.y) - here.y;
+        at[i] = cross(x[i], y[i], along_x, along_y);
+        unsure[i] = and_vanishing(within * (abs(along_x) + abs(along_y)));
+    }
+    const Rounded area = at[0] + at[1] + at[2];
+    const bool is_left = surely_greater(area, 0), is_right = surely_greater(0, area);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool left = surely_greater(at[i], unsure[i]), right = surely_greater(-at[i], unsure[i]);
+        const bool not_left = surely_not_greater(at[i], unsure[i]),
+                   not_right = surely_not_greater(-at[i], unsure[i]);
+        if (is_left ? !(left || not_left) : is_right ? !(right || not_right) : !(not_left && not_right))
+            return false;
+    }
+    return true;
 }
 
-unsigned has_plane(const Solid& solid, double margin) {
-    double longest = 0, largest = 0;
+bool is_clear_opposite(Place a, Place b, Place c, Place d, double margin) {
+    const Rounded x = Rounded(b.x) - a.x, y = Rounded(b.y) - a.y;
+    std::array<Rounded, 2> at{0, 0}, unsure{0, 0};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Place p = i == 0 ? c : d;
+        const Rounded to_x = Rounded(p.x) - a.x, to_y = Rounded(p.y) - a.y;
+        const Rounded along = abs(x) + abs(y), across = abs(to_x) + abs(to_y);
+        at[i] = cross(x, y, to_x, to_y);
+        // What moving all points can do at worst, which is not what it does to any four.
+        unsure[i] = and_vanishing(2 * margin * (along + across) + 0x1p-21 * along * across);
+    }
+    const auto all = [&](auto surely, double side) {
+        return surely(side * at[0], unsure[0]) && surely(-side * at[1], unsure[1]);
+    };
+    const auto greater = [](const Rounded& p, const Rounded& q) { return surely_greater(p, q); };
+    if (all(greater, 1) || all(greater, -1)) return true;
+    const auto none = [&](double side) {
+        return surely_not_greater(side * at[0], unsure[0]) || surely_not_greater(-side * at[1], unsure[1]);
+    };
+    return none(1) && none(-1) && !are_opposite(a, b, c, d, margin);
+}
+
+unsigned has_plane(const Solid& solid, Place at, double margin) {
+    Rounded far = 0, longest = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto &p = solid[i], &q = solid[(i + 1) % 3];
-        longest = std::max(longest, std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]));
-        largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});
+        far = max(far, max(abs(Rounded(p[0]) - at.x), abs(Rounded(p[1]) - at.y)));
+        longest = max(longest, abs(Rounded(q[0]) - p[0]) + abs(Rounded(q[1]) - p[1]));
     }
-    const double area = std::abs(
-        area2(Place{solid[0][0], solid[0][1]}, {solid[1][0], solid[1][1]}, {solid[2][0], solid[2][1]}));
-    const double least = 64 * margin * longest, rounding = 0x1p-20 * (largest * longest + least) + 1e-30;
-    return area > least + rounding ? 1 : area < least - rounding ? 0 : 2;
+    const Rounded area = abs(cross(Rounded(solid[1][0]) - solid[0][0], Rounded(solid[1][1]) - solid[0][1],
+                                   Rounded(solid[2][0]) - solid[0][0], Rounded(solid[2][1]) - solid[0][1]));
+    const Rounded least = 64 * max(margin, 0x1p-24 * far) * longest;
+    return surely_greater(area, least) ? 1 : surely_not_greater(area, least) ? 0 : 2;
 }
 
-unsigned height(const Solid& solid, Place at, double end, double margin, double margin_z, double rounding) {
+namespace {
+/// Depths are unsure by no less than four roundings of the largest of them.
+double unsure_depth(const std::array<double, 2>& range, double from, double tmin, double margin_z) {
+    return std::max(margin_z, 0x1p-22 * std::max({std::abs(range[0]), std::abs(range[1]),
+                                                  std::abs(from) + std::abs(tmin)}));
+}
+} // namespace
+
+unsigned height(const Solid& solid, Place at, double from, double tmin, double margin, double margin_z,
+                double across, double along) {
+    const std::array<double, 2> range = range_of(solid);
+    const double end = from - tmin, unsure = unsure_depth(range, from, tmin, margin_z);
     const auto of = [&](double nearest, double farthest) {
-        return nearest - margin_z > end ? 0u : farthest + margin_z < end ? 1u : 2u;
+        return nearest > end ? 0u : farthest < end ? 1u : 2u;
     };
     // Beside the triangle, where its plane leaves its range, nothing passes: that it says what the range
     // does.
-    const std::array<double, 2> range = range_of(solid);
-    const unsigned by_range = of(range[0], range[1]);
-    if (by_range != 2 || has_plane(solid, margin) != 1) return by_range;
+    const unsigned by_range = of(range[0] - unsure, range[1] + unsure);
+    if (by_range != 2 || has_plane(solid, at, margin) != 1) return by_range;
     std::array<double, 16> numbers{};
     for (std::size_t i = 0; i < 9; ++i) numbers[i] = solid[i / 3][i % 3];
     numbers[9] = at.x, numbers[10] = at.y, numbers[11] = numbers[12] = margin;
     const double depth = plane(numbers)[2], wrong = plane(numbers)[3];
-    numbers[12] = std::abs(rounding);
-    const double more = plane(numbers)[3], all = std::max(0.0, rounding < 0 ? wrong - more : wrong + more);
+    numbers[12] = std::abs(across);
+    const double more = plane(numbers)[3],
+                 all = std::max(0.0, across < 0 ? wrong - more : wrong + more) + unsure + along;
     return of(depth - all, depth + all);
+}
+
+bool is_clear_height(const Solid& solid, Place at, double from, double tmin, double margin, double margin_z,
+                     double across, double along) {
+    const auto [nearest, farthest] = range_of(solid);
+    const Rounded end = Rounded(from) - tmin;
+    const Rounded deepest = std::max(std::abs(nearest), std::abs(farthest));
+    const Rounded unsure = max(margin_z, 0x1p-22 * max(deepest, Rounded(std::abs(from)) + std::abs(tmin)));
+    const Rounded least = Rounded(nearest) - unsure, most = Rounded(farthest) + unsure;
+    if (surely_greater(least, end) || surely_greater(end, most)) return true;
+    if (!surely_not_greater(least, end) || !surely_not_greater(end, most)) return false;
+    if (nearest == farthest) return true; // no plane, and one at that depth, say the same
+    const unsigned known = has_plane(solid, at, margin);
+    const auto with = [&](double sign) {
+        return height(solid, at, from, tmin, margin, margin_z, sign * across, sign * along);
+    };
+    return known == 0 || (known == 1 && with(1) == with(-1));
 }
 
 Truth column_plane(const Arguments& arguments) {
@@ -237,7 +340,7 @@ Truth column_depth_bounds(const Arguments& arguments) {
     const std::array<double, 2> range = range_of(solid);
     Truth truth;
     truth.scale = std::max(std::abs(range[0]), std::abs(range[1]));
-    if (has_plane(solid, arguments.numbers[12]) != 1) {
+    if (has_plane(solid, {arguments.numbers[9], arguments.numbers[10]}, arguments.numbers[12]) != 1) {
         truth.value = {range[0], range[1]};
         return truth;
     }
