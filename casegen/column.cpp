@@ -47,12 +47,14 @@ double rounding(const Arguments& arguments, std::initializer_list<std::size_t> w
 }
 
 /// Whether all are whole multiples of a power of two, and no more than 64 of them: products of differences
-/// are floats then, and what does not touch is farther away than doubles round.
+/// are floats then, and what does not touch is farther away than doubles round. Not of numbers so small that
+/// such products are not.
 bool is_on_coarse_grid(const Arguments& arguments, std::size_t count) {
     double largest = 0;
     for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::abs(arguments.numbers[i]));
     const double unit = std::exp2(std::ceil(std::log2(largest)) - 6);
-    return largest == 0 || std::ranges::all_of(std::span(arguments.numbers).first(count), [&](double x) {
+    if (largest == 0) return true;
+    return unit >= 0x1p-50 && std::ranges::all_of(std::span(arguments.numbers).first(count), [&](double x) {
                return std::nearbyint(x / unit) == x / unit;
            });
 }
@@ -128,7 +130,19 @@ unsigned known_plane(const Arguments& arguments) {
 bool has_plane(const Arguments& arguments) { return known_plane(arguments) == 1; }
 bool has_plane_or_none(const Arguments& arguments) { return known_plane(arguments) != 2; }
 
-/// No plane: of what is not finite, nor of a triangle too thin for its margin.
+/// Whether the area of a triangle, in its sides' coordinates as floats, is none: beyond the largest float by
+/// more than what adding two products is rounded by. Of one product that is half its last place.
+bool has_no_area(std::span<const double> n) {
+    const auto side = [&](std::size_t from, std::size_t to, std::size_t axis) {
+        return static_cast<double>(static_cast<float>(n[to + axis] - n[from + axis]));
+    };
+    const double down = side(0, 3, 0) * side(6, 0, 1), up = side(0, 3, 1) * side(6, 0, 0);
+    const double largest = static_cast<double>(std::numeric_limits<float>::max());
+    return std::abs(up - down) >= (up == 0 || down == 0 ? 1 + 0x1p-25 : 1 + 0x1p-20) * largest;
+}
+
+/// No plane: of what is not finite, of a triangle too thin for its margin, nor where its area or the depth is
+/// no float.
 std::optional<Bounds> no_plane(std::span<const double> n) {
     const Bounds none = exactly({0, 0, 0, infinity});
     if (n[11] < 0) return {};
@@ -137,8 +151,9 @@ std::optional<Bounds> no_plane(std::span<const double> n) {
     Arguments arguments;
     std::ranges::copy(n, arguments.numbers.begin());
     if (n[12] < 0) arguments.numbers[12] = 0; // there is a least margin
-    const double too_deep = 2 * static_cast<double>(std::numeric_limits<float>::max());
-    if (known_plane(arguments) == 0 || std::abs(truth::column_plane(arguments).value[2]) > too_deep)
+    const double largest = static_cast<double>(std::numeric_limits<float>::max());
+    if (known_plane(arguments) == 0 || has_no_area(n) ||
+        std::abs(truth::column_plane(arguments).value[2]) > 2 * largest)
         return none;
     return {};
 }

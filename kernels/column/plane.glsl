@@ -13,9 +13,9 @@ vec4 column_plane(vec3 a, vec3 b, vec3 c, vec2 at, float half_side, float margin
     precise float area = ab.x * -ca.y + ab.y * ca.x;
     vec3 sides = abs(vec3(ab.x, bc.x, ca.x)) + abs(vec3(ab.y, bc.y, ca.y));
     float longest = max(max(sides.x, sides.y), sides.z);
-    if (!(abs(area) > 64.0 * margin * longest)) return vec4(0.0, 0.0, 0.0, 1.0 / 0.0);
-    // Areas of the triangles that each side makes with the point: the weights, times the area. Their sum is 1 or more; NaN, as is the
-    // error then, where the area is no float.
+    if (!(abs(area) > 64.0 * margin * longest && abs(area) < 1.0 / 0.0)) return vec4(0.0, 0.0, 0.0, 1.0 / 0.0);
+    // Areas of the triangles that each side makes with the point: the weights, times the area. Their sum is 1 or more, but for what
+    // rounding does to the area of the thinnest triangles, some 1/64 of it, and so to their gradient: twice the margin covers both.
     precise vec3 parts = vec3(pa.x * ab.y - pa.y * ab.x, pb.x * bc.y - pb.y * bc.x, pc.x * ca.y - pc.y * ca.x);
     float weights = (dot(abs(parts), vec3(1.0)) + half_side * (sides.x + sides.y + sides.z)) / abs(area);
     precise vec2 gradient = vec2(ca.z * ab.y - ab.z * ca.y, ab.z * ca.x - ca.z * ab.x) / area;

@@ -45,14 +45,14 @@ private:
         result.high_ = high;
         return result;
     }
-    /// An operation's result: itself if it is a float, else within two roundings of it; and what is below the
-    /// smallest normal float may be taken for 0.
+    /// An operation's result: itself if it is a float, else within two roundings of it, which among denormal
+    /// floats are absolute; and what is below the smallest normal float may be taken for 0.
     static Rounded rounded(double low, double high, bool exact) {
         constexpr double smallest_normal = 0x1p-126;
         if (exact && low == high && low == static_cast<double>(static_cast<float>(low)) &&
             (low == 0 || std::abs(low) >= smallest_normal))
             return low;
-        low -= 0x1p-23 * std::abs(low), high += 0x1p-23 * std::abs(high);
+        low -= 0x1p-23 * std::abs(low) + 0x1p-149, high += 0x1p-23 * std::abs(high) + 0x1p-149;
         return held(low < smallest_normal ? std::min(low, 0.0) : low,
                     high > -smallest_normal ? std::max(high, 0.0) : high);
     }
