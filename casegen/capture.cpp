@@ -196,14 +196,14 @@ std::vector<Captured> capture_calls(Renderer& renderer, const glsl::Sources& sou
     return captured;
 }
 
-std::vector<ChainLink> chain_of(const std::vector<StageText>& stages) {
+std::vector<const Case*> kernels_of(const std::vector<StageText>& stages) {
     std::set<std::string> names;
     for (const StageText& stage : stages) names.merge(functions_of(stage.text));
-    std::vector<ChainLink> links;
+    std::vector<const Case*> kernels;
     for (const Family& known : catalogue())
         for (const Case& c : known.cases)
-            if (names.contains(function_name(c))) links.push_back({&c, Question::visibility});
-    return links;
+            if (names.contains(function_name(c))) kernels.push_back(&c);
+    return kernels;
 }
 
 std::vector<Captured> capture_frame_calls(Renderer& renderer, const glsl::Sources& sources,

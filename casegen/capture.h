@@ -31,8 +31,8 @@ struct ChainLink {
 /// order: those of its visibility, and those that only its number needs.
 std::vector<ChainLink> chain_of(const glsl::Sources& sources, const Technique& technique);
 
-/// The kernels of the catalogue that a hybrid's stages can call. No question is asked of them.
-std::vector<ChainLink> chain_of(const std::vector<StageText>& stages);
+/// The kernels of the catalogue that a hybrid's stages can call, in the catalogue's order.
+std::vector<const Case*> kernels_of(const std::vector<StageText>& stages);
 
 /// The pixels that a technique's kernels are asked about: those that face the light, within its map.
 std::vector<std::uint32_t> asked_pixels(Renderer& renderer, const ViewSettings& settings);
@@ -64,7 +64,7 @@ struct Captured {
     /// parameters.
     std::vector<std::uint32_t> unlike_frame{};
     std::vector<std::string> stages{}; ///< of a hybrid: its stages' files
-    std::size_t all = 0;               ///< of a hybrid: calls that were made
+    std::size_t all = 0;               ///< of a hybrid: calls that were made, each once
 };
 
 /// All calls of these kernels at these pixels, by kernel. chain_of must say that the technique calls each

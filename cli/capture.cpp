@@ -92,13 +92,20 @@ Request request_of(const CaptureCommand& options) {
     return request;
 }
 
-const ChainLink& link_of(const std::vector<ChainLink>& chain, const Case& c, const std::string& technique) {
-    const auto found = std::ranges::find(chain, &c, &ChainLink::kernel);
-    if (found != chain.end()) return *found;
+/// Throws Error if the technique does not call it.
+void require_called(const std::vector<const Case*>& called, const Case& c, const std::string& technique) {
+    if (std::ranges::find(called, &c) != called.end()) return;
     std::vector<std::string> names;
-    for (const ChainLink& link : chain) names.push_back(link.kernel->name);
+    for (const Case* each : called) names.push_back(each->name);
     throw Error("{} is not called by {}; what it calls can be captured: {}", c.name, technique,
-                names.empty() ? "(nothing)" : fmt::format("{}", fmt::join(names, ", ")));
+                fmt::join(names, ", "));
+}
+
+const ChainLink& link_of(const std::vector<ChainLink>& chain, const Case& c, const std::string& technique) {
+    std::vector<const Case*> called;
+    for (const ChainLink& link : chain) called.push_back(link.kernel);
+    require_called(called, c, technique);
+    return *std::ranges::find(chain, &c, &ChainLink::kernel);
 }
 
 std::uint32_t parse_pixel(const std::string& text, const ViewSettings& settings) {
@@ -117,7 +124,7 @@ std::uint32_t parse_pixel(const std::string& text, const ViewSettings& settings)
 Pixels chosen_pixels(const CaptureCommand& options, Renderer& renderer, const ViewSettings& settings,
                      bool within_map) {
     Pixels chosen;
-    const Pixels asked = asked_pixels(renderer, settings);
+    const Pixels asked = within_map ? asked_pixels(renderer, settings) : Pixels{};
     for (const std::string& text : options.pixels) {
         const std::uint32_t pixel = parse_pixel(text, settings);
         if (renderer.surfaces().covered[pixel] == 0)
@@ -210,13 +217,14 @@ Calls hybrid_calls(const CaptureCommand& options, const Request& request, const 
                    Renderer& renderer, const ViewSettings& settings, const Scene& scene) {
     const std::string& name = request.hybrid->name;
     const Technique technique{.kind = Technique::Kind::hybrid, .name = name};
-    const std::vector<ChainLink> chain = chain_of(renderer.stages(technique));
+    const std::vector<const Case*> called = kernels_of(renderer.stages(technique));
     const auto is_detector = [](const Case& c) { return c.name.starts_with("certainty/"); };
-    const auto detector =
-        std::ranges::find_if(chain, [&](const ChainLink& link) { return is_detector(*link.kernel); });
-    if (!request.kernel && detector == chain.end())
+    const auto detector = std::ranges::find_if(called, [&](const Case* c) { return is_detector(*c); });
+    if (called.empty()) throw Error("{} calls no kernel", name);
+    if (request.kernel) require_called(called, *request.kernel, name);
+    if (!request.kernel && detector == called.end())
         throw Error("{} has no kernel that says all of a pixel: give --kernel as well", name);
-    const Case& c = *(request.kernel ? link_of(chain, *request.kernel, name) : *detector).kernel;
+    const Case& c = request.kernel ? *request.kernel : **detector;
     const Pixels pixels = chosen_pixels(options, renderer, settings, false);
     const bool windows = c.reference.takes_mask;
     Calls calls{capture_frame_calls(renderer, sources, technique, {&c}, settings.width, pixels,

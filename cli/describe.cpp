@@ -30,7 +30,8 @@ void describe(const Case& c, const std::filesystem::path& kernels) {
     if (c.where) fmt::print("             (not every combination: see `where` in the table)\n");
     fmt::print("result     {:g} to {:g} [{}], {}\n", c.result.lower, c.result.upper, c.result.unit,
                c.result.meaning);
-    fmt::print("tolerance  {}{}\n", to_string(c.tolerance),
+    fmt::print("tolerance  {}{}{}\n", to_string(c.tolerance),
+               c.within ? "; and within bounds besides: see `within` in the table" : "",
                c.defended ? "; for inputs outside the ranges above: any result within its range, never NaN"
                           : "");
     if (!c.rule.empty()) fmt::print("otherwise  {}\n", c.rule);

@@ -136,6 +136,7 @@ const DeviceInfo& Device::info() const { return context_->info; }
 bool Device::has_geometry_shaders() const { return context_->geometry_shaders; }
 std::uint32_t Device::max_image_side() const { return context_->properties.limits.maxImageDimension2D; }
 std::uint64_t Device::submissions() const { return context_->submissions; }
+std::size_t Device::max_buffer() const { return context_->properties.limits.maxStorageBufferRange; }
 std::uint32_t Device::max_groups() const { return context_->properties.limits.maxComputeWorkGroupCount[0]; }
 
 VkCommandBuffer begin_commands(Context& context) {

@@ -148,6 +148,7 @@ public:
     const DeviceInfo& info() const;
     std::uint32_t max_image_side() const;
     std::uint32_t max_groups() const; ///< workgroups along x in one dispatch
+    std::size_t max_buffer() const;   ///< bytes
 
     // Memory. Contents of a fresh buffer are undefined. All throw Error when memory is exhausted.
     Buffer allocate(std::size_t bytes);

@@ -109,7 +109,7 @@ Buffer::~Buffer() = default;
 std::size_t Buffer::size() const { return impl_ ? impl_->size : 0; }
 
 Buffer Device::allocate(std::size_t bytes) {
-    const std::uint32_t range = context_->properties.limits.maxStorageBufferRange;
+    const std::size_t range = max_buffer();
     if (bytes > range)
         throw Error("a buffer of {:.1f} MiB is more than {} binds ({:.1f} MiB); make the image or shadow map "
                     "smaller, "

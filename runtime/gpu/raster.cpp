@@ -244,6 +244,7 @@ double Device::draw(Raster& raster, std::initializer_list<const Target*> colours
             vkCmdSetScissor(commands, 0, 1, &area);
             vkCmdDraw(commands, vertices, 1, 0, 0);
             vkCmdEndRendering(commands);
+            full_barrier(commands); // stages may have written to buffers (bind_always)
             for (const Target* target : all)
                 change_layout(commands, target->impl_->image, target->impl_->format,
                               drawing_layout(target->impl_->format), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);

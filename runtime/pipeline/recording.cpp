@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace gnomon {
 namespace {
@@ -32,23 +33,13 @@ std::vector<std::uint32_t> record_words(std::uint32_t width, std::uint32_t heigh
         words[2] = width;
         words[3] = (width * height + 31) / 32;
         words.resize(header + words[3]);
-        for (const std::uint32_t pixel : pixels) words[header + pixel / 32] |= 1u << (pixel % 32);
+        for (const std::uint32_t pixel : pixels) {
+            if (pixel >= width * height) throw std::out_of_range("a pixel outside the image");
+            words[header + pixel / 32] |= 1u << (pixel % 32);
+        }
     }
     words.resize(words.size() + std::max<std::size_t>(room, 1));
     return words;
-}
-
-std::vector<RecordedCall> read_calls(std::span<const std::uint32_t> words) {
-    std::vector<RecordedCall> calls;
-    for (std::size_t at = 0; at < words.size();) {
-        const std::span<const std::uint32_t> call = words.subspan(at, call_header + words[at + 5]);
-        const auto payload = call.subspan(call_header);
-        calls.push_back({call[0], call[1], call[2], call[3], call[4], {payload.begin(), payload.end()}});
-        at += call.size();
-    }
-    std::ranges::sort(calls);
-    calls.erase(std::ranges::unique(calls).begin(), calls.end());
-    return calls;
 }
 
 /// Binds the buffer where stages record, as long as it is there.
@@ -79,10 +70,25 @@ glsl::Spirv compile_recording(Recording& recording, const std::string& file, con
     return glsl::compile_expanded(recording.stages.back().text, name, kind);
 }
 
+std::vector<RecordedCall> read_calls(std::span<const std::uint32_t> words) {
+    std::vector<RecordedCall> calls;
+    for (std::size_t at = 0; at < words.size();) {
+        const std::span<const std::uint32_t> call = words.subspan(at, call_header + words[at + 5]);
+        const auto payload = call.subspan(call_header);
+        calls.push_back({call[0], call[1], call[2], call[3], call[4], {payload.begin(), payload.end()}});
+        at += call.size();
+    }
+    std::ranges::sort(calls);
+    calls.erase(std::ranges::unique(calls).begin(), calls.end());
+    return calls;
+}
+
 std::vector<RecordedCall> record_calls(gpu::Device& device, std::uint32_t width, std::uint32_t height,
                                        std::span<const std::uint32_t> pixels,
                                        const std::function<void()>& frame) {
-    constexpr std::size_t most = std::size_t{1} << 28;
+    const std::size_t marks = record_words(width, height, pixels, 0).size();
+    const std::size_t most =
+        std::min(std::size_t{1} << 28, device.max_buffer() / sizeof(std::uint32_t)) - marks;
     for (std::size_t room = 0;;) {
         const gpu::Buffer buffer = device.upload(record_words(width, height, pixels, room));
         const Bound bound(device, buffer);
@@ -90,9 +96,11 @@ std::vector<RecordedCall> record_calls(gpu::Device& device, std::uint32_t width,
         const std::vector<std::uint32_t> words = device.read<std::uint32_t>(buffer);
         const std::size_t needed = words[0], begin = header + words[3];
         if (words[1] != 0 || needed > most)
-            throw Error("more than {} words are recorded; take fewer pixels, or a smaller image", most);
+            throw Error("all these calls are more than the {} words that can be recorded; take fewer pixels, "
+                        "or a smaller image or shadow map",
+                        most);
         if (needed <= room) return read_calls(std::span(words).subspan(begin, needed));
-        room = needed + needed / 8; // which triangles a list's reader meets depends on the list's order
+        room = std::min(needed + needed / 8, most); // the order of lists decides who is looked at
     }
 }
 

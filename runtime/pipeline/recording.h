@@ -49,10 +49,14 @@ struct RecordedCall {
 
 /// Runs `frame`, which starts stages of the recording, until there is room for all that they record. Of a
 /// `width` by `height` image only the stages of pixels are recorded, and of these pixels; or, if there are
-/// none, all stages. Sorted, each call once: the device may run a vertex more often. Throws Error if more
-/// than 2^28 words are recorded, or if a stage that draws records and the device cannot.
+/// none, all stages. Throws Error if that is more than 2^28 words or than a buffer of the device holds, or if
+/// a stage that draws records and the device cannot.
 std::vector<RecordedCall> record_calls(gpu::Device& device, std::uint32_t width, std::uint32_t height,
                                        std::span<const std::uint32_t> pixels,
                                        const std::function<void()>& frame);
+
+/// The calls that such words hold (kernels/pipeline/record.glslh), sorted, each once: the device may run a
+/// vertex more often, and fragments of several triangles in one texel may call alike.
+std::vector<RecordedCall> read_calls(std::span<const std::uint32_t> words);
 
 } // namespace gnomon

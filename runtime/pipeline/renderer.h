@@ -133,7 +133,7 @@ public:
     Recorded record_frame(const Technique& technique, const std::vector<std::uint32_t>& pixels,
                           const std::map<std::string, std::string>& overlaid);
 
-    /// The stages of a hybrid technique, none of which is run.
+    /// The stages of a hybrid technique, without a frame of it.
     std::vector<StageText> stages(const Technique& technique);
 
 private:

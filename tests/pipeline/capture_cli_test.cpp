@@ -208,8 +208,8 @@ TEST(capture, says_what_cannot_be_captured) {
             "lists has no kernel that says all of a pixel: give --kernel as well");
     refused({"--technique", "lists", "--kernel", "column/hit"},
             "lists calls column/hit nowhere in this view");
-    refused({"--technique", "traced", "--kernel", "column/hit"},
-            "column/hit is not called by traced; what it calls can be captured: (nothing)");
+    refused({"--technique", "traced", "--pixel", "80,60"}, "traced calls no kernel");
+    refused({"--technique", "traced", "--kernel", "column/hit"}, "traced calls no kernel");
     refused({"--case", "smsr/case_09", "--most", "0"}, "--most");
     refused({"--case", "smsr/case_09", "--reading", "bar=ramp"}, "only --technique rsmss");
     expect_refused(folder, {"capture", "--kernel", "smsr/visibility", "--size", "1024x768", "--out", out},

@@ -146,12 +146,6 @@ TEST(CapturedCalls, OfEveryOtherKernelGiveTheSameAlone) {
         EXPECT_TRUE(in_sun_alone.contains(kernel)) << kernel;
 }
 
-std::vector<const Case*> kernels_of(Renderer& renderer, const Technique& technique) {
-    std::vector<const Case*> kernels;
-    for (const ChainLink& link : chain_of(renderer.stages(technique))) kernels.push_back(link.kernel);
-    return kernels;
-}
-
 TEST(CapturedCalls, OfAHybridsStagesGiveTheSameAlone) {
     const View view = demo_view(120, 90, 96);
     const auto renderer = make_renderer(scene(), view);
@@ -160,10 +154,10 @@ TEST(CapturedCalls, OfAHybridsStagesGiveTheSameAlone) {
     for (const HybridTechnique& known : hybrid_techniques()) {
         if (known.name == "crsma" && !shared_device().has_geometry_shaders()) continue;
         const Technique technique = hybrid(known.name);
-        for (const Captured& captured : capture_frame_calls(
-                 *renderer, sources, technique, kernels_of(*renderer, technique), view.settings.width, {})) {
+        for (const Captured& captured :
+             capture_frame_calls(*renderer, sources, technique, kernels_of(renderer->stages(technique)),
+                                 view.settings.width, {})) {
             EXPECT_THAT(captured.unlike_frame, IsEmpty()) << captured.kernel->name;
-            EXPECT_EQ(captured.all, captured.calls.size());
             std::set<std::string>& known_stages = stages[captured.kernel->name];
             const std::size_t before = known_stages.size();
             for (const CapturedCall& call : captured.calls) known_stages.insert(captured.stages[call.stage]);
