@@ -89,7 +89,7 @@ void add_windows(Renderer& renderer, Captured& captured) {
     if (!captured.kernel->reference.takes_mask || captured.calls.empty()) return;
     std::vector<std::uint32_t> pixels;
     for (const CapturedCall& call : captured.calls) pixels.push_back(call.pixel.value());
-    pixels.erase(std::ranges::unique(pixels).begin(), pixels.end());
+    pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
     const std::vector<Capture> seen = renderer.capture(pixels);
     std::size_t at = 0;
     std::shared_ptr<const Mask> window;

@@ -285,7 +285,7 @@ std::shared_ptr<const Generator> lines_and_points() {
                                [](Random& random, double distance, std::span<double> n) {
                                    const double x = n[2] - n[0], y = n[3] - n[1];
                                    double least = hybrid::farthest;
-                                   for (const std::size_t i : {4, 6}) {
+                                   for (const std::size_t i : {4u, 6u}) {
                                        const double to_x = n[i] - n[0], to_y = n[i + 1] - n[1];
                                        const double all =
                                            std::abs(x) + std::abs(y) + std::abs(to_x) + std::abs(to_y);
@@ -309,7 +309,7 @@ std::shared_ptr<const Generator> triangles_and_rays() {
              n[13] = hybrid::farthest;
              const double size = std::exp2(-10 + 20 * random.unit()), sign = random.chance(0.5) ? 1 : -1;
              double deepest = 0;
-             for (const std::size_t i : {2, 5, 8})
+             for (const std::size_t i : {2u, 5u, 8u})
                  deepest = std::max(deepest, std::abs(n[i] = sign * size * random.unit()));
              n[14] = random.chance(0.3) ? size * std::exp2(-22 * random.unit()) : 0;
              // And from the origin to the end it is no way, or a long one.

@@ -272,7 +272,7 @@ std::optional<Bounds> anywhere_between(std::span<const double> n) {
     Arguments arguments;
     std::ranges::copy(n, arguments.numbers.begin());
     if (!is_clear_in_depth(arguments)) return {};
-    for (const std::size_t i : {11, 12}) arguments.numbers[i] = std::abs(arguments.numbers[i]);
+    for (const std::size_t i : {11u, 12u}) arguments.numbers[i] = std::abs(arguments.numbers[i]);
     return around_the_plane(std::span(arguments.numbers).first(n.size()), truth::depth_bounds(arguments));
 }
 
@@ -295,7 +295,7 @@ std::shared_ptr<const Generator> depths_generator(const char* name, bool over_te
         triangles->draw(random, n);
         const double level = random.chance(0.5) ? 0 : 2 * random.unit() - 1;
         const double spread = std::exp2(-12 * random.unit());
-        for (const std::size_t i : {2, 5, 8}) n[i] = level + spread * (2 * n[i] - 1);
+        for (const std::size_t i : {2u, 5u, 8u}) n[i] = level + spread * (2 * n[i] - 1);
         if (random.chance(0.5)) return;
         const std::size_t corner = random.below(3);
         if (random.chance(0.5)) n[3 * corner + 2] *= std::exp2(-20 * random.unit());

@@ -79,7 +79,7 @@ std::vector<RecordedCall> read_calls(std::span<const std::uint32_t> words) {
         at += call.size();
     }
     std::ranges::sort(calls);
-    calls.erase(std::ranges::unique(calls).begin(), calls.end());
+    calls.erase(std::unique(calls.begin(), calls.end()), calls.end());
     return calls;
 }
 
