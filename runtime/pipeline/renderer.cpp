@@ -472,15 +472,24 @@ Recorded Renderer::record(const Technique& technique, Question question,
         r.recorded_by(recording,
                       [&] { return r.stage("record.comp", answer_sources(r.sources, technique, question)); }),
         technique.name + " record");
-    const gpu::Buffer wanted = r.device.upload(pixels);
-    const gpu::Buffer answers = r.device.allocate(pixels.size() * sizeof(std::uint32_t));
-    const auto count = static_cast<std::uint32_t>(pixels.size());
     Recorded recorded;
-    recorded.calls = record_calls(r.device, 0, 0, {}, [&] {
-        r.device.run(kernel, {&r.frame_buffer, &r.receivers, &r.depth_texels, &wanted, &answers},
-                     {.threads = {count, 1, 1}, .constants = gpu::bytes_of(count)});
-    });
-    recorded.answers = r.device.read<std::uint32_t>(answers);
+    constexpr std::size_t at_once = 16384; // pixels: what they record has room in a buffer
+    for (std::size_t first = 0; first < pixels.size(); first += at_once) {
+        const std::span some =
+            std::span(pixels).subspan(first).first(std::min(at_once, pixels.size() - first));
+        const gpu::Buffer wanted = r.device.upload(some);
+        const gpu::Buffer answers = r.device.allocate(some.size_bytes());
+        const auto count = static_cast<std::uint32_t>(some.size());
+        for (RecordedCall& call : record_calls(r.device, 0, 0, {}, [&] {
+                 r.device.run(kernel, {&r.frame_buffer, &r.receivers, &r.depth_texels, &wanted, &answers},
+                              {.threads = {count, 1, 1}, .constants = gpu::bytes_of(count)});
+             })) {
+            call.x += static_cast<std::uint32_t>(first);
+            recorded.calls.push_back(std::move(call));
+        }
+        const std::vector<std::uint32_t> given = r.device.read<std::uint32_t>(answers);
+        recorded.answers.insert(recorded.answers.end(), given.begin(), given.end());
+    }
     recorded.stages = std::move(recording.stages);
     return recorded;
 }
