@@ -13,9 +13,10 @@ namespace {
 struct Include {
     std::string name;
     bool generated = false;
+    bool alone = true; ///< on its line, but for a comment behind it
 };
 
-/// `#include "name"` or `#include <name>`, alone on its line but for blanks and a comment behind it.
+/// `#include "name"` or `#include <name>`
 std::optional<Include> parse_include(std::string_view line) {
     const auto skip_blanks = [&] {
         while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
@@ -31,7 +32,10 @@ std::optional<Include> parse_include(std::string_view line) {
     const bool generated = line.front() == '<';
     const std::size_t end = line.find(generated ? '>' : '"', 1);
     if (end == std::string_view::npos) return {};
-    return Include{std::string(line.substr(1, end - 1)), generated};
+    const std::string name(line.substr(1, end - 1));
+    line.remove_prefix(end + 1);
+    skip_blanks();
+    return Include{name, generated, line.empty() || line == "\r" || line.starts_with("//")};
 }
 
 struct Expansion {
@@ -54,6 +58,9 @@ struct Expansion {
                 text += '\n';
                 continue;
             }
+            if (!include->alone)
+                throw CompileError("{}:{}: behind an include only a comment (//) may stand on its line", name,
+                                   number);
             append_once(*include, name, number);
             text += fmt::format("#line {} \"{}\"\n", number + 1, name);
         }

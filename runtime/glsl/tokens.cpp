@@ -127,7 +127,8 @@ std::vector<Function> functions(const std::vector<Token>& tokens) {
         const std::size_t close = closing(tokens, i + 2);
         if (close + 1 >= tokens.size() || !tokens[close + 1].is("{")) continue;
         const std::size_t end = closing(tokens, close + 1);
-        found.push_back({tokens[i + 1].text, i, i + 2, close + 1, std::min(end, tokens.size() - 1)});
+        if (end == tokens.size()) break; // the text ends before the body
+        found.push_back({tokens[i + 1].text, i, i + 2, close + 1, end});
         i = end;
     }
     return found;

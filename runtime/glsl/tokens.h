@@ -36,7 +36,7 @@ struct Function {
     std::size_t end = 0;   ///< "}"
 };
 
-/// All of them in the order of the text; prototypes are none.
+/// All of them in the order of the text; prototypes are none, nor is what the text breaks off in.
 std::vector<Function> functions(const std::vector<Token>& tokens);
 
 } // namespace gnomon::glsl

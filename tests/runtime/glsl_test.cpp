@@ -71,6 +71,19 @@ TEST(glsl, a_missing_include_is_an_error_on_its_line) {
     EXPECT_NE(message.find("/a.glsl:3: cannot include \"gone.glsl\""), message.npos) << message;
 }
 
+TEST(glsl, nothing_but_a_comment_stands_behind_an_include) {
+    const TemporaryFolder folder;
+    folder.write("a.glsl", "int a;\n");
+    const glsl::Sources sources{folder.path(), {}};
+    EXPECT_EQ(count_of(glsl::expand(sources, "#include \"a.glsl\" // why\r\nint b;\n", "m"), "int a;"), 1u);
+    EXPECT_EQ(count_of(glsl::expand(sources, "#include \"a.glsl\"\t\r\n", "m"), "int a;"), 1u);
+    for (const std::string behind : {"int b;", "/* why */", ";", "<a.glsl>"}) { // it would be lost silently
+        const std::string message = testing::error_of(
+            [&] { glsl::expand(sources, "int c;\n#include \"a.glsl\" " + behind + "\n", "m"); });
+        EXPECT_TRUE(message.starts_with("m:2: behind an include only a comment (//)")) << message;
+    }
+}
+
 TEST(glsl, an_error_is_on_the_author_s_line) {
     const glsl::Sources sources{testing::kernels_folder(), {}};
     EXPECT_TRUE(message_of(sources, std::string(head) + "\nvoid main() { int i = missing; }\n")

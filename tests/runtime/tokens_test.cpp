@@ -44,6 +44,12 @@ TEST(tokens, comments_and_preprocessor_lines_are_none_and_lines_are_counted_thro
     EXPECT_TRUE(tokens("").empty());
 }
 
+TEST(functions, whose_body_the_text_breaks_off_in_are_none) {
+    for (const char* text : {"int f() {", "int f() { { }", "int f() { return (1; "})
+        EXPECT_TRUE(functions(tokens(text)).empty()) << text;
+    EXPECT_EQ(functions(tokens("int f() {} int g() {")).size(), 1u);
+}
+
 TEST(functions, prototypes_structs_and_blocks_are_none) {
     const std::string text = "struct S { vec2 a; };\nfloat f(vec2 p);\nconst float k = g(2.0);\n"
                              "float f(vec2 p) { if (p.x < 0.0) { return 0.0; } return p.x; }\n"
