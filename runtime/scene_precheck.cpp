@@ -425,6 +425,31 @@ std::vector<std::optional<std::size_t>> parents_of(const nlohmann::json& nodes, 
     return parents;
 }
 
+/// Null if it is no object or has none of this name.
+const nlohmann::json* member(const nlohmann::json* of, const char* name) {
+    return of && of->is_object() && of->contains(name) ? &(*of)[name] : nullptr;
+}
+
+/// Assimp follows the views of a sparse accessor's two parts without asking whether they are there.
+void check_sparse_accessors(const nlohmann::json& document, const std::string& file) {
+    const nlohmann::json *accessors = member(&document, "accessors"),
+                         *views = member(&document, "bufferViews");
+    if (!accessors || !accessors->is_array()) return;
+    const std::size_t known = views && views->is_array() ? views->size() : 0;
+    for (std::size_t number = 0; number < accessors->size(); ++number) {
+        const nlohmann::json* sparse = member(&(*accessors)[number], "sparse");
+        if (!sparse) continue;
+        for (const char* part : {"indices", "values"}) {
+            const nlohmann::json* view = member(member(sparse, part), "bufferView");
+            if (!view || !view->is_number_unsigned() || view->get<std::size_t>() >= known)
+                throw Error(
+                    "'{}': accessor {} (counted from 0) is sparse, and there is no buffer view for its "
+                    "{}",
+                    file, number, part);
+        }
+    }
+}
+
 } // namespace
 
 void precheck_gltf(const std::filesystem::path& path, std::string_view json) {
@@ -444,7 +469,9 @@ void precheck_gltf(const std::filesystem::path& path, std::string_view json) {
         if (depth > deepest) throw Error("'{}' nests its JSON deeper than {} levels", path.string(), deepest);
     }
     const nlohmann::json document = parse_json(json, path.string());
-    if (!document.is_object() || !document.contains("nodes") || !document["nodes"].is_array()) return;
+    if (!document.is_object()) return;
+    check_sparse_accessors(document, path.string());
+    if (!document.contains("nodes") || !document["nodes"].is_array()) return;
     const auto parents = parents_of(document["nodes"], path.string());
     for (const auto& parent : parents) {
         std::size_t level = 0;

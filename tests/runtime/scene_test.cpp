@@ -364,6 +364,25 @@ TEST(Scene, NestingThatWouldExhaustTheStackIsRefused) {
                 HasSubstr("circle"));
 }
 
+TEST(Scene, SparseAccessorsWithoutViewsAreRefused) {
+    const TemporaryFolder folder;
+    const std::string views = R"("bufferViews": [{"buffer": 0, "byteLength": 36}])";
+    for (const char* sparse :
+         {"{}", "7", R"({"indices": {"bufferView": 0}})", R"({"indices": 0, "values": {"bufferView": 0}})",
+          R"({"indices": {"bufferView": 1}, "values": {"bufferView": 0}})",
+          R"({"indices": {"bufferView": 0}, "values": {"bufferView": -1}})"})
+        EXPECT_THAT(
+            error_of([&] {
+                load_scene(folder.write(
+                    "sparse.gltf",
+                    fmt::format(
+                        R"({{"asset": {{"version": "2.0"}}, "accessors": [{{}}, {{"sparse": {}}}], {}}})",
+                        sparse, views)));
+            }),
+            HasSubstr("accessor 1 (counted from 0) is sparse, and there is no buffer view for its"))
+            << sparse;
+}
+
 TEST(Scene, NodesThatAreChildrenTwiceAreRefused) {
     const TemporaryFolder folder;
     // Sixty nodes, and 2^59 triangles if one follows every path.
