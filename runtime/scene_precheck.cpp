@@ -400,6 +400,11 @@ nlohmann::json parse_json(std::string_view text, const std::string& file) {
     return nlohmann::json::parse(text);
 }
 
+/// Null if it is no object or has none of this name.
+const nlohmann::json* member(const nlohmann::json* of, const char* name) {
+    return of && of->is_object() && of->contains(name) ? &(*of)[name] : nullptr;
+}
+
 /// The node that a member of "children" names; none if it names none.
 std::optional<std::size_t> child_of(const nlohmann::json& child, const nlohmann::json& nodes) {
     if (!child.is_number_integer() || child.get<std::int64_t>() < 0) return {};
@@ -412,9 +417,9 @@ std::optional<std::size_t> child_of(const nlohmann::json& child, const nlohmann:
 std::vector<std::optional<std::size_t>> parents_of(const nlohmann::json& nodes, const std::string& file) {
     std::vector<std::optional<std::size_t>> parents(nodes.size());
     for (std::size_t parent = 0; parent < nodes.size(); ++parent) {
-        const nlohmann::json& node = nodes[parent];
-        if (!node.is_object() || !node.contains("children") || !node["children"].is_array()) continue;
-        for (const nlohmann::json& child : node["children"]) {
+        const nlohmann::json* children = member(&nodes[parent], "children");
+        if (!children || !children->is_array()) continue;
+        for (const nlohmann::json& child : *children) {
             const std::optional<std::size_t> number = child_of(child, nodes);
             if (!number) continue;
             if (parents[*number])
@@ -423,11 +428,6 @@ std::vector<std::optional<std::size_t>> parents_of(const nlohmann::json& nodes, 
         }
     }
     return parents;
-}
-
-/// Null if it is no object or has none of this name.
-const nlohmann::json* member(const nlohmann::json* of, const char* name) {
-    return of && of->is_object() && of->contains(name) ? &(*of)[name] : nullptr;
 }
 
 /// Assimp follows the views of a sparse accessor's two parts without asking whether they are there.
@@ -471,8 +471,9 @@ void precheck_gltf(const std::filesystem::path& path, std::string_view json) {
     const nlohmann::json document = parse_json(json, path.string());
     if (!document.is_object()) return;
     check_sparse_accessors(document, path.string());
-    if (!document.contains("nodes") || !document["nodes"].is_array()) return;
-    const auto parents = parents_of(document["nodes"], path.string());
+    const nlohmann::json* nodes = member(&document, "nodes");
+    if (!nodes || !nodes->is_array()) return;
+    const auto parents = parents_of(*nodes, path.string());
     for (const auto& parent : parents) {
         std::size_t level = 0;
         for (std::optional<std::size_t> above = parent; above; above = parents[*above])
