@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <cassert>
@@ -61,17 +60,19 @@ const std::vector<Family>& catalogue() {
     return families;
 }
 
-bool matches(const std::string& name, const std::string& pattern) {
-    const bool glob = pattern.find_first_of("*?[") != std::string::npos;
-    return glob ? fnmatch(pattern.c_str(), name.c_str(), 0) == 0 : name.find(pattern) != std::string::npos;
-}
-
-std::vector<const Case*> find_cases(const std::string& pattern) {
+std::vector<const Case*> find_cases(const std::string& patterns) {
+    const std::vector<std::string> parts = split_patterns(patterns);
+    std::vector<bool> met(parts.size());
     std::vector<const Case*> found;
     for (const Family& family : catalogue())
-        for (const Case& c : family.cases)
-            if (matches(c.name, pattern)) found.push_back(&c);
-    if (found.empty()) throw unknown_kernel(pattern);
+        for (const Case& c : family.cases) {
+            bool wanted = false;
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                if (matches(c.name, parts[i])) wanted = met[i] = true;
+            if (wanted) found.push_back(&c);
+        }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!met[i]) throw unknown_kernel(parts[i]);
     return found;
 }
 

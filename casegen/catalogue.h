@@ -31,9 +31,9 @@ std::vector<Family> integral_families(); // casegen/integral/
 
 const std::vector<Family>& catalogue();
 
-/// Cases whose name contains `pattern`, or matches it if it has *, ? or [; all for an empty one. In the
-/// catalogue's order. Throws Error that suggests near names if there are none.
-std::vector<const Case*> find_cases(const std::string& pattern);
+/// Cases that `patterns` name (see pattern.h), each once, in the catalogue's order. Throws Error if one of
+/// the patterns is empty, and one that suggests near names if it names nothing.
+std::vector<const Case*> find_cases(const std::string& patterns);
 
 /// The number of the family's case whose condition holds for the edge; 0 if none does, 99 if several do: no
 /// decision list says that, so that whoever compares sees it.

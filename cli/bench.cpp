@@ -168,9 +168,9 @@ void add_bench(CLI::App& app, Common& common, int& exit_code) {
         "bench", "measure how wrong kernels and techniques are and how long they take, side by side");
     auto options = std::make_shared<BenchCommand>();
     options->verb = verb;
-    verb->add_option(
-        "PATTERN", options->pattern,
-        "a quantity (integral/a0), part of a kernel's name, or a pattern with * and ? (default: all)");
+    verb->add_option("PATTERN", options->pattern,
+                     "a quantity (integral/a0), part of a kernel's name, or a pattern with * and ?; several "
+                     "apart by commas\n(default: all)");
     verb->add_option("--samples", options->bench.samples, "ordinary inputs per quantity")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 18))
         ->capture_default_str();

@@ -27,10 +27,9 @@ struct CheckCommand {
 int run(const CheckCommand& options, const Common& common, const std::string& replay) {
     const std::vector<const Case*> named = fuzz::find_chains(options.pattern),
                                    chains = fuzz::with_regressions(named, options.regressions);
-    std::vector<const Case*> cases;
-    if (const std::vector<const Case*> found = fuzz::find_subjects(options.pattern); found != named)
-        cases = find_cases(options.pattern);
-    else if (chains.empty())
+    std::vector<const Case*> cases = fuzz::find_subjects(options.pattern);
+    std::erase_if(cases, [](const Case* c) { return fuzz::find_chain(*c) != nullptr; });
+    if (cases.empty() && chains.empty())
         throw Error("{} has no regressions on file, and nothing else of a chain is checked; gnomon fuzz '{}' "
                     "examines it",
                     named.front()->name, options.pattern);
@@ -76,7 +75,7 @@ void add_check(CLI::App& app, Common& common, int& exit_code) {
         app.add_subcommand("check", "run kernels against their references; exit code 1 if one fails");
     auto options = std::make_shared<CheckCommand>();
     verb->add_option("PATTERN", options->pattern,
-                     "part of a name, or a pattern with * and ? (default: all kernels)");
+                     "part of a name, or a pattern with * and ?; several apart by commas (default: all)");
     verb->add_option("--samples", options->samples,
                      "inputs per kernel (default: 65536, or 8192 where the reference is multiprecision); "
                      "pins, hostile "

@@ -90,7 +90,7 @@ void add_fuzz(CLI::App& app, Common& common, int& exit_code) {
     auto options = std::make_shared<FuzzCommand>();
     verb->add_option("PATTERN", options->pattern,
                      "part of a name, or a pattern with * and ?, of kernels, of chains over masks "
-                     "(chain/…)\nand over scenes (scene/…) (default: all)");
+                     "(chain/…)\nand over scenes (scene/…); several apart by commas (default: all)");
     verb->add_option("--seconds", options->seconds,
                      "begins no new batches after these; Ctrl-C ends it earlier")
         ->check(CLI::Range(0.0, 1e8))

@@ -39,22 +39,8 @@ std::vector<mutate::Operator> operators_of(const std::string& list) {
     return operators;
 }
 
-/// Kernels by several patterns, apart by commas; each once, in the catalogue's order of each.
-std::vector<const Case*> cases_of(const std::string& patterns) {
-    if (patterns.empty()) return find_cases("");
-    std::vector<const Case*> cases;
-    for (std::size_t at = 0; at <= patterns.size();) {
-        const std::size_t end = std::min(patterns.find(',', at), patterns.size());
-        if (end == at) throw Error("a pattern in \"{}\" is empty; commas stand between patterns", patterns);
-        for (const Case* c : find_cases(patterns.substr(at, end - at)))
-            if (std::ranges::find(cases, c) == cases.end()) cases.push_back(c);
-        at = end + 1;
-    }
-    return cases;
-}
-
 int run(const MutateCommand& options, const Common& common, bool limited, const std::string& replay) {
-    const std::vector<const Case*> cases = cases_of(options.pattern);
+    const std::vector<const Case*> cases = find_cases(options.pattern);
     require_kernels(common.kernels);
     if (!options.json.empty()) require_writable(options.json);
     mutate::CampaignOptions campaign;
@@ -107,9 +93,8 @@ void add_mutate(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("mutate", "change kernels a little, and require that their checks turn red");
     auto options = std::make_shared<MutateCommand>();
-    verb->add_option(
-        "PATTERN", options->pattern,
-        "part of a name, or a pattern with * and ?; several apart by commas (default: all kernels)");
+    verb->add_option("PATTERN", options->pattern,
+                     "part of a name, or a pattern with * and ?; several apart by commas (default: all)");
     verb->add_option(
         "--operators", options->operators,
         "only these, apart by commas: constant, comparison, arithmetic, bits, sign, logic, condition, "

@@ -6,12 +6,12 @@
 #include "runtime/error.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <csignal>
 #include <cstdio>
 #include <memory>
-#include <set>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -45,18 +45,8 @@ int stop_by_signals() {
     return ends[0];
 }
 
-/// The kernels that any of the patterns names, each once, in the catalogue's order.
-std::vector<const Case*> cases_of(const std::vector<std::string>& patterns) {
-    std::set<const Case*> named;
-    for (const std::string& pattern : patterns)
-        for (const Case* c : find_cases(pattern)) named.insert(c);
-    std::vector<const Case*> cases = find_cases("");
-    if (!patterns.empty()) std::erase_if(cases, [&](const Case* c) { return !named.contains(c); });
-    return cases;
-}
-
 int run(const WatchCommand& options, const Common& common, bool limited, const std::string& replay) {
-    const std::vector<const Case*> cases = cases_of(options.patterns);
+    const std::vector<const Case*> cases = find_cases(fmt::format("{}", fmt::join(options.patterns, ",")));
     watch::SessionOptions session;
     session.check.kernels = common.kernels;
     session.check.pins = GNOMON_SOURCE_DIR "/fixtures/pins";

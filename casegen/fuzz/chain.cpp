@@ -37,20 +37,24 @@ const Case* find_subject(const std::string& name) {
     return nullptr;
 }
 
-std::vector<const Case*> find_chains(const std::string& pattern) {
+std::vector<const Case*> find_chains(const std::string& patterns) {
     std::vector<const Case*> found;
     for (const Chain& chain : chains())
-        if (matches(chain.described.name, pattern)) found.push_back(&chain.described);
+        if (matches(chain.described.name, patterns)) found.push_back(&chain.described);
     return found;
 }
 
-std::vector<const Case*> find_subjects(const std::string& pattern) {
-    const std::vector<const Case*> of_chains = find_chains(pattern);
+std::vector<const Case*> find_subjects(const std::string& patterns) {
+    std::string of_kernels; // the patterns that name no chain: those must name kernels
+    for (const std::string& part : split_patterns(patterns))
+        if (find_chains(part).empty()) of_kernels += (of_kernels.empty() ? "" : ",") + part;
+    if (!of_kernels.empty()) find_cases(of_kernels); // which says what there is
+
     std::vector<const Case*> found;
     for (const Family& family : catalogue())
         for (const Case& c : family.cases)
-            if (matches(c.name, pattern)) found.push_back(&c);
-    if (found.empty() && of_chains.empty()) return find_cases(pattern); // which says what there is
+            if (matches(c.name, patterns)) found.push_back(&c);
+    const std::vector<const Case*> of_chains = find_chains(patterns);
     found.insert(found.end(), of_chains.begin(), of_chains.end());
     return found;
 }

@@ -45,11 +45,11 @@ const Chain* find_chain(const Case& c);
 /// A kernel or a chain by its whole name; null if there is none.
 const Case* find_subject(const std::string& name);
 
-/// Kernels, then chains, whose name contains `pattern`, or matches it if it has *, ? or [; all for an empty
-/// one. Throws Error that suggests near names of kernels if there are none.
-std::vector<const Case*> find_subjects(const std::string& pattern);
+/// Kernels, then chains, that `patterns` name (see pattern.h). Throws Error if one of the patterns is empty,
+/// and one that suggests near names of kernels if it names nothing.
+std::vector<const Case*> find_subjects(const std::string& patterns);
 /// The same of chains alone; none is no error.
-std::vector<const Case*> find_chains(const std::string& pattern);
+std::vector<const Case*> find_chains(const std::string& patterns);
 
 /// The call, or what a chain was asked.
 std::string format_input(const Case& c, const Input& input);

@@ -1,12 +1,15 @@
 #include "casegen/measure/variant.h"
 
 #include "casegen/catalogue.h"
+#include "casegen/pattern.h"
 #include "casegen/sampling.h"
 #include "casegen/standalone.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <set>
 
 namespace gnomon::measure {
 namespace {
@@ -104,12 +107,17 @@ std::vector<Group> group(std::span<const Case* const> cases, std::span<const Tri
     return groups;
 }
 
-std::vector<const Case*> find_variants(const std::string& pattern) {
-    std::vector<const Case*> found;
-    if (!pattern.empty())
-        for (const Case* c : find_cases(""))
-            if (c->quantity == pattern) found.push_back(c);
-    return found.empty() ? find_cases(pattern) : found;
+std::vector<const Case*> find_variants(const std::string& patterns) {
+    std::set<const Case*> named;
+    for (const std::string& part : split_patterns(patterns)) {
+        const auto of_quantity = [&](const Case* c) { return !part.empty() && c->quantity == part; };
+        std::vector<const Case*> found = find_cases("");
+        if (std::erase_if(found, std::not_fn(of_quantity)); found.empty()) found = find_cases(part);
+        named.insert(found.begin(), found.end());
+    }
+    std::vector<const Case*> variants = find_cases("");
+    std::erase_if(variants, [&](const Case* c) { return !named.contains(c); });
+    return variants;
 }
 
 } // namespace gnomon::measure

@@ -36,7 +36,8 @@ struct Group {
 std::vector<Group> group(std::span<const Case* const> cases, std::span<const Trigonometry> modes,
                          const std::filesystem::path& kernels);
 
-/// Kernels of a quantity of exactly this name; else those that find_cases finds.
-std::vector<const Case*> find_variants(const std::string& pattern);
+/// For each of `patterns` (see pattern.h) the kernels of a quantity of exactly this name; if there are none,
+/// those that find_cases finds. Throws Error as find_cases does.
+std::vector<const Case*> find_variants(const std::string& patterns);
 
 } // namespace gnomon::measure

@@ -119,11 +119,13 @@ TEST(subjects, are_kernels_and_chains_by_one_pattern) {
         return found;
     };
     EXPECT_THAT(names("chain/smsr"), ::testing::ElementsAre("chain/smsr"));
+    EXPECT_THAT(names("scene/sheet,smsr/case_09"), ::testing::ElementsAre("smsr/case_09", "scene/sheet"));
     EXPECT_THAT(names("scene/*"), ::testing::ElementsAre("scene/sheet", "scene/nearest-8", "scene/lists"));
     EXPECT_THAT(names("smsr"),
                 ::testing::AllOf(::testing::Contains("smsr/case_09"), ::testing::Contains("chain/smsr")));
     EXPECT_EQ(names("").size(), find_cases("").size() + chains().size());
     EXPECT_THROW(find_subjects("no such thing"), Error);
+    EXPECT_THROW(find_subjects("chain/smsr,no such thing"), Error);
     EXPECT_EQ(find_subject("chain/nothing"), nullptr);
 }
 
