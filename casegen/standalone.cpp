@@ -23,10 +23,13 @@ uint mask_first;
 ivec2 mask_size;
 uint mask_outside;
 bool lit(ivec2 texel) {
-    if (mask_outside == 0u) texel = clamp(texel, ivec2(0), mask_size - 1);
-    else if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, mask_size))) return mask_outside == 1u;
-    uint bit = uint(texel.y * mask_size.x + texel.x);
-    return ((mask_bits[mask_first + (bit >> 5)] >> (bit & 31u)) & 1u) != 0u;
+    // No branch: kernels ask for many texels, and a driver compiles all of it for each.
+    ivec2 nearest = clamp(texel, ivec2(0), mask_size - 1);
+    uint bit = uint(nearest.y * mask_size.x + nearest.x);
+    bool stored = ((mask_bits[mask_first + (bit >> 5)] >> (bit & 31u)) & 1u) != 0u;
+    uint beyond = nearest == texel ? 0u : mask_outside;
+    bool lit_beyond = beyond == 1u;
+    return beyond == 0u ? stored : lit_beyond;
 }
 )";
 
