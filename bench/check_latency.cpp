@@ -1,13 +1,16 @@
 // How long an author waits: `gnomon check` as a whole process, from its start to its end, in the
 // situations that matter. The situations take turns, so that a machine that slows down slows all of them
-// alike; medians of 15.
+// alike; medians.
 //
 //     build/bench/check_latency [RUNS]
+#include "casegen/catalogue.h"
+#include "casegen/standalone.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -61,6 +64,21 @@ std::string processor() {
     return "unknown processor";
 }
 
+/// The kernels of the fewest SPIR-V words, by name, as one PATTERN.
+std::string smallest_kernels(std::size_t count) {
+    const gnomon::glsl::Sources sources = gnomon::kernel_sources(GNOMON_SOURCE_DIR "/kernels");
+    std::vector<std::pair<std::size_t, std::string>> sized;
+    for (const gnomon::Case* c : gnomon::find_cases(""))
+        if (c->fails.empty()) sized.emplace_back(gnomon::compile_standalone(*c, sources).size(), c->name);
+    std::ranges::sort(sized);
+    if (sized.size() < count) throw Error("there are not {} kernels", count);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < count; ++i) names.push_back(sized[i].second);
+    fmt::print("the {} smallest kernels: {} to {} SPIR-V words; the largest has {}\n", count,
+               sized.front().first, sized[count - 1].first, sized.back().first);
+    return fmt::format("{}", fmt::join(names, ","));
+}
+
 struct Situation {
     std::string name;
     double target; ///< milliseconds; 0: none was set
@@ -77,6 +95,8 @@ void measure(int runs) {
     const std::string original = gnomon::read_file(edited);
     const std::string expression = "return ";
     if (original.find(expression) == std::string::npos) throw Error("{}: nothing to edit", edited.string());
+
+    const std::string small = smallest_kernels(100);
 
     // An edit that no cache has seen, and that changes no result on the kernel's domain.
     const auto edit = [&](int i) {
@@ -104,7 +124,15 @@ void measure(int runs) {
              return run({"check", "smsr/"}, warm);
          }},
         // The work that other harnesses of small kernels were timed on: a hundred kernels, few inputs each.
-        {"check of the 106 that are no integrals,", 300,
+        {"check of the 100 smallest, few inputs", 300,
+         [&](int) {
+             return run({"check", small, "--samples", "1"}, warm);
+         }},
+        {"  the same on all their samples", 0,
+         [&](int) {
+             return run({"check", small}, warm);
+         }},
+        {"check of the 106 that are no integrals,", 0,
          [&](int) {
              return run({"check", "[!i]*", "--samples", "1"}, warm);
          }},

@@ -3,7 +3,10 @@
 // that no cache has seen; targets take turns, so that a machine that slows down slows all of them alike.
 // Medians and ranges.
 //
-//     build/bench/check_watch [EDITS]          edits per target (default 15)
+//     build/bench/check_watch [EDITS]              edits per target (default 15)
+//     build/bench/check_watch integrals [EDITS]    every integral in turn (default 3): how many in 100 ms
+#include "casegen/catalogue.h"
+#include "casegen/standalone.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
 
@@ -19,8 +22,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -43,7 +49,9 @@ double milliseconds_since(Clock::time_point start) {
 class Watch {
 public:
     Watch(const fs::path& kernels, const std::string& kernel) {
-        std::vector<std::string> words{GNOMON_PROGRAM, "watch",     kernel, "--format",
+        // A glob, which matches whole names: part of a name may be another kernel's too.
+        const std::string pattern = fmt::format("[{}]{}", kernel.front(), kernel.substr(1));
+        std::vector<std::string> words{GNOMON_PROGRAM, "watch",     pattern, "--format",
                                        "json",         "--kernels", kernels};
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
@@ -153,6 +161,11 @@ void measure_edit(Watch& watch, Target& target, const fs::path& file, const std:
     watch.next("time");
 }
 
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
 std::string summary(std::vector<double> values) {
     std::ranges::sort(values);
     return fmt::format("{:>5.0f} ms ({:.0f} to {:.0f})", values[values.size() / 2], values.front(),
@@ -188,22 +201,82 @@ void measure(int edits, const fs::path& folder) {
                    summary(target.times));
 }
 
+/// An edit of any kernel that moves no result: its function begins with a comparison that no input meets.
+Target target_of(const gnomon::Case& c) {
+    std::string function = c.name;
+    std::ranges::replace(function, '/', '_');
+    const std::string text = gnomon::read_file(fmt::format(GNOMON_SOURCE_DIR "/kernels/{}.glsl", c.name));
+    const std::size_t head = text.find(" " + function + "("), body = text.find(") {", head);
+    if (head == text.npos || body == text.npos) throw Error("{}: no function {}", c.name, function);
+    const std::string whole = text.substr(head, body + 3 - head); // " name(float first, …) {"
+    const std::string parameter =
+        whole.substr(function.size() + 2, whole.find_first_of(",)") - function.size() - 2);
+    const std::string first = parameter.substr(parameter.find(' ') + 1);
+    return {.what = "",
+            .kernel = c.name,
+            .from = whole,
+            .to = fmt::format("{}\n    if ({}{} == -{{}}.5e30) return {}(0.0);\n", whole, first,
+                              parameter.starts_with("float") ? "" : ".x",
+                              gnomon::glsl_name(c.reference.result)),
+            .milliseconds = 100};
+}
+
+/// One after the other, each under a watch of its own.
+void measure_integrals(int edits, const fs::path& folder) {
+    setenv("GNOMON_CACHE", (folder / "cache").c_str(), 1);
+    const fs::path kernels = folder / "kernels";
+    fs::create_directories(folder);
+    fs::copy(GNOMON_SOURCE_DIR "/kernels", kernels, fs::copy_options::recursive);
+    const gnomon::glsl::Sources sources = gnomon::kernel_sources(kernels);
+
+    struct Measured {
+        double verdict, time;
+        std::size_t words;
+        std::string kernel;
+    };
+    std::vector<Measured> all;
+    for (const gnomon::Case* c : gnomon::find_cases("integral/*")) {
+        Target target = target_of(*c);
+        const fs::path file = kernels / (c->name + ".glsl");
+        const std::string original = gnomon::read_file(file);
+        {
+            Watch watch(kernels, c->name);
+            watch.next("settled");
+            for (int edit = 1; edit <= edits; ++edit) measure_edit(watch, target, file, original, edit);
+        }
+        gnomon::write_file(file, original);
+        all.push_back({median(target.verdicts), median(target.times),
+                       gnomon::compile_standalone(*c, sources).size(), c->name});
+    }
+    std::ranges::sort(all, std::greater{}, &Measured::verdict);
+    const auto within = std::ranges::count_if(all, [](const Measured& m) { return m.verdict <= 100; });
+    fmt::print("{} threads of {}; medians of {} edits; from the save to the line\n",
+               std::thread::hardware_concurrency(), processor(), edits);
+    fmt::print("{} of {} integrals have their verdict within 100 ms; half of them within {:.0f} ms\n", within,
+               all.size(), all[all.size() / 2].verdict);
+    fmt::print("{:<36}{:>13}{:>12}{:>12}\n", "the slowest", "SPIR-V words", "verdict", "time");
+    for (const Measured& m : std::span(all).first(std::min<std::size_t>(all.size(), 12)))
+        fmt::print("{:<36}{:>13}{:>9.0f} ms{:>9.0f} ms\n", m.kernel, m.words, m.verdict, m.time);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-    int edits = 15;
-    if (argc > 1) {
-        const std::string_view text = argv[1];
+    const std::span<char*> words(argv + 1, static_cast<std::size_t>(argc - 1));
+    const bool integrals = !words.empty() && words.front() == std::string_view("integrals");
+    int edits = integrals ? 3 : 15;
+    if (const std::span<char*> numbers = words.subspan(integrals ? 1 : 0); !numbers.empty()) {
+        const std::string_view text = numbers.front();
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), edits);
-        if (argc > 2 || error != std::errc{} || end != text.data() + text.size() || edits < 1) {
-            fmt::print(stderr, "check_watch takes one number: how many edits of each target (default 15)\n");
+        if (numbers.size() > 1 || error != std::errc{} || end != text.data() + text.size() || edits < 1) {
+            fmt::print(stderr, "check_watch: call it with: [EDITS], or: integrals [EDITS]\n");
             return 2;
         }
     }
     const fs::path folder = fs::temp_directory_path() / fmt::format("gnomon-watch-{}", getpid());
     int exit_code = 0;
     try {
-        measure(edits, folder);
+        (integrals ? measure_integrals : measure)(edits, folder);
     } catch (const std::exception& error) {
         fmt::print(stderr, "check_watch: {}\n", error.what());
         exit_code = 2;
