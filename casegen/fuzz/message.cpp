@@ -13,7 +13,7 @@
 namespace gnomon::fuzz {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr const char* damaged = "not what gnomon fuzz writes";
 
