@@ -145,9 +145,9 @@ std::vector<ChainLink> chain_of(const glsl::Sources& sources, const Technique& t
     return links;
 }
 
-std::vector<std::uint32_t> asked_pixels(Renderer& renderer, const ViewSettings& settings) {
+std::vector<std::uint32_t> asked_pixels(Renderer& renderer) {
     std::vector<std::uint32_t> pixels;
-    const auto side = static_cast<float>(settings.shadow_map);
+    const auto side = static_cast<float>(renderer.settings().shadow_map);
     const auto within = [&](float v) { return v >= 0 && v < side; };
     const std::vector<shared::Receiver>& receivers = renderer.receivers();
     for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -208,9 +208,9 @@ std::vector<const Case*> kernels_of(const std::vector<StageText>& stages) {
 
 std::vector<Captured> capture_frame_calls(Renderer& renderer, const glsl::Sources& sources,
                                           const Technique& technique, const std::vector<const Case*>& kernels,
-                                          int width, const std::vector<std::uint32_t>& pixels,
-                                          std::size_t most) {
+                                          const std::vector<std::uint32_t>& pixels, std::size_t most) {
     std::vector<Captured> captured = captured_of(kernels);
+    const auto width = static_cast<std::uint32_t>(renderer.settings().width);
     const std::vector<float> frame = renderer.visibility(technique);
     Recorded recorded = renderer.record_frame(technique, pixels, recording_texts(sources, kernels));
     std::vector<std::uint32_t> unlike;
@@ -225,7 +225,7 @@ std::vector<Captured> capture_frame_calls(Renderer& renderer, const glsl::Source
         call.stage = each.stage;
         call.invocation = {each.x, each.y};
         if (is_of_pixels(stages[each.stage])) {
-            call.pixel = each.y * static_cast<std::uint32_t>(width) + each.x;
+            call.pixel = each.y * width + each.x;
             call.visibility = frame[*call.pixel];
         }
         to.calls.push_back(std::move(call));

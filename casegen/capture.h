@@ -35,7 +35,7 @@ std::vector<ChainLink> chain_of(const glsl::Sources& sources, const Technique& t
 std::vector<const Case*> kernels_of(const std::vector<StageText>& stages);
 
 /// The pixels that a technique's kernels are asked about: those that face the light, within its map.
-std::vector<std::uint32_t> asked_pixels(Renderer& renderer, const ViewSettings& settings);
+std::vector<std::uint32_t> asked_pixels(Renderer& renderer);
 
 /// The number of the case that each of these pixels is of, 0 for none. The technique's family must have a
 /// kernel `number`.
@@ -77,12 +77,11 @@ std::vector<Captured> capture_calls(Renderer& renderer, const glsl::Sources& sou
                                     const std::vector<std::uint32_t>& pixels);
 
 /// Calls of these kernels in a frame of a hybrid, by kernel; each one's by stage and row by row: of these
-/// pixels, or, if there are none, of all stages; at most `most` (0: all). `width` is the image's. Throws
-/// Error as Renderer::record_frame.
+/// pixels, or, if there are none, of all stages; at most `most` (0: all). Throws Error as
+/// Renderer::record_frame.
 std::vector<Captured> capture_frame_calls(Renderer& renderer, const glsl::Sources& sources,
                                           const Technique& technique, const std::vector<const Case*>& kernels,
-                                          int width, const std::vector<std::uint32_t>& pixels,
-                                          std::size_t most = 0);
+                                          const std::vector<std::uint32_t>& pixels, std::size_t most = 0);
 
 /// At most `most` (0: all) of them, evenly spread.
 template <typename T>

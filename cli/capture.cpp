@@ -121,12 +121,11 @@ std::uint32_t parse_pixel(const std::string& text, const ViewSettings& settings)
 
 /// The pixels of --pixel, each once. Throws Error at one that no kernel is asked about. A hybrid's maps may
 /// reach farther than the frame's.
-Pixels chosen_pixels(const CaptureCommand& options, Renderer& renderer, const ViewSettings& settings,
-                     bool within_map) {
+Pixels chosen_pixels(const CaptureCommand& options, Renderer& renderer, bool within_map) {
     Pixels chosen;
-    const Pixels asked = within_map ? asked_pixels(renderer, settings) : Pixels{};
+    const Pixels asked = within_map ? asked_pixels(renderer) : Pixels{};
     for (const std::string& text : options.pixels) {
-        const std::uint32_t pixel = parse_pixel(text, settings);
+        const std::uint32_t pixel = parse_pixel(text, renderer.settings());
         if (renderer.surfaces().covered[pixel] == 0)
             throw Error("--pixel {}: no surface is seen there", text);
         if (renderer.surfaces().facing[pixel] == 0)
@@ -214,7 +213,7 @@ struct Calls {
 
 /// What the stages of a hybrid call.
 Calls hybrid_calls(const CaptureCommand& options, const Request& request, const glsl::Sources& sources,
-                   Renderer& renderer, const ViewSettings& settings, const Scene& scene) {
+                   Renderer& renderer, const Scene& scene) {
     const std::string& name = request.hybrid->name;
     const Technique technique{.kind = Technique::Kind::hybrid, .name = name};
     const std::vector<const Case*> called = kernels_of(renderer.stages(technique));
@@ -225,9 +224,9 @@ Calls hybrid_calls(const CaptureCommand& options, const Request& request, const 
     if (!request.kernel && detector == called.end())
         throw Error("{} has no kernel that says all of a pixel: give --kernel as well", name);
     const Case& c = request.kernel ? *request.kernel : **detector;
-    const Pixels pixels = chosen_pixels(options, renderer, settings, false);
+    const Pixels pixels = chosen_pixels(options, renderer, false);
     const bool windows = c.reference.takes_mask;
-    Calls calls{capture_frame_calls(renderer, sources, technique, {&c}, settings.width, pixels,
+    Calls calls{capture_frame_calls(renderer, sources, technique, {&c}, pixels,
                                     windows && options.most == 0 ? most_windows : options.most)
                     .front(),
                 {}};
@@ -255,12 +254,10 @@ Calls hybrid_calls(const CaptureCommand& options, const Request& request, const 
 
 /// What a technique's kernels call at its pixels.
 Calls technique_calls(const CaptureCommand& options, const Request& request, const glsl::Sources& sources,
-                      Renderer& renderer, const ViewSettings& settings, const Scene& scene,
-                      const std::vector<ChainLink>& chain) {
+                      Renderer& renderer, const Scene& scene, const std::vector<ChainLink>& chain) {
     const std::string name = technique_name(*request.family);
     const Technique technique = technique_of(*request.family);
-    Pixels pixels = options.pixels.empty() ? asked_pixels(renderer, settings)
-                                           : chosen_pixels(options, renderer, settings, true);
+    Pixels pixels = options.pixels.empty() ? asked_pixels(renderer) : chosen_pixels(options, renderer, true);
     const Case& c = request.kernel ? *request.kernel : case_of(renderer, request, pixels);
     const ChainLink& link = link_of(chain, c, name);
     if (request.numbered) pixels = pixels_of_case(renderer, request, pixels);
@@ -297,9 +294,8 @@ void run(const CaptureCommand& options, const Common& common, const std::string&
 
     gpu::Device device(common.device);
     Renderer renderer(device, sources, scene, camera, light, settings);
-    const Calls calls = request.hybrid
-                            ? hybrid_calls(options, request, sources, renderer, settings, scene)
-                            : technique_calls(options, request, sources, renderer, settings, scene, chain);
+    const Calls calls = request.hybrid ? hybrid_calls(options, request, sources, renderer, scene)
+                                       : technique_calls(options, request, sources, renderer, scene, chain);
     const Captured& captured = calls.captured;
     const Case& c = *captured.kernel;
     require_no_validation_messages();

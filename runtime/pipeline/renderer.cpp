@@ -284,6 +284,8 @@ Renderer::Renderer(gpu::Device& device, glsl::Sources sources, const Scene& scen
     : impl_(std::make_unique<Impl>(device, std::move(sources), scene, camera, light, settings)) {}
 Renderer::~Renderer() = default;
 
+const ViewSettings& Renderer::settings() const { return impl_->settings; }
+
 void Renderer::look(const Camera& camera, const Light& light) {
     Impl& r = *impl_;
     const shared::Frame frame = make_frame(camera, light, r.settings, r.scene.bounds());

@@ -77,6 +77,8 @@ public:
     /// the constructor does; then nothing has changed.
     void look(const Camera& camera, const Light& light);
 
+    const ViewSettings& settings() const;
+
     /// Renders `frames` + 1 times (at least 2) and keeps the medians of the last `frames`.
     Rendering render(const Technique& technique, int frames = 5);
 

@@ -1,4 +1,5 @@
 // Leaving out the cases that a view does not need changes no pixel, whatever the view turns into.
+#include "casegen/capture.h"
 #include "casegen/census.h"
 #include "casegen/demo_scene.h"
 #include "casegen/readings.h"
@@ -149,7 +150,7 @@ TEST_P(Assemblies, CensusCountsWhatEachPixelIsAlone) {
     const Scene scene = demo_scene();
     for (const View& view : {demo_view(200, 150, 256), demo_view_with_lamp(200, 150, 48)}) {
         const auto renderer = make_renderer(scene, view);
-        const std::vector<Capture> captures = renderer->capture(asked_pixels(*renderer, view));
+        const std::vector<Capture> captures = renderer->capture(asked_pixels(*renderer));
         constexpr int side = 2 * Capture::radius + 1;
         std::vector<Mask> masks(captures.size(), Mask(side, side));
         const Case& number = *find_kernel(family, "number");

@@ -76,7 +76,7 @@ void expect_cases(Renderer& renderer, const View& view, const std::string& name,
     const Family& family = technique_family(name);
     const Technique technique = technique_of(family);
     const glsl::Sources sources = kernel_sources(kernels_folder());
-    const Pixels pixels = every(3, gnomon::asked_pixels(renderer, view.settings));
+    const Pixels pixels = every(3, asked_pixels(renderer));
     const std::vector<std::uint32_t> numbers = case_numbers(renderer, technique, pixels);
     std::map<std::uint32_t, std::uint32_t> number_of;
     for (std::size_t i = 0; i < pixels.size(); ++i) number_of[pixels[i]] = numbers[i];
@@ -103,7 +103,7 @@ void expect_chain(Renderer& renderer, const View& view, const std::string& name,
                   std::set<std::string>& alone) {
     const Technique technique = technique_of(technique_family(name));
     const glsl::Sources sources = kernel_sources(kernels_folder());
-    const Pixels all = gnomon::asked_pixels(renderer, view.settings);
+    const Pixels all = asked_pixels(renderer);
     const Pixels pixels = every(all.size() / 150, all);
     for (const Question question : {Question::visibility, Question::number}) {
         std::vector<const Case*> kernels;
@@ -154,9 +154,8 @@ TEST(CapturedCalls, OfAHybridsStagesGiveTheSameAlone) {
     for (const HybridTechnique& known : hybrid_techniques()) {
         if (known.name == "crsma" && !shared_device().has_geometry_shaders()) continue;
         const Technique technique = hybrid(known.name);
-        for (const Captured& captured :
-             capture_frame_calls(*renderer, sources, technique, kernels_of(renderer->stages(technique)),
-                                 view.settings.width, {})) {
+        for (const Captured& captured : capture_frame_calls(*renderer, sources, technique,
+                                                            kernels_of(renderer->stages(technique)), {})) {
             EXPECT_THAT(captured.unlike_frame, IsEmpty()) << captured.kernel->name;
             std::set<std::string>& known_stages = stages[captured.kernel->name];
             const std::size_t before = known_stages.size();
@@ -194,8 +193,8 @@ TEST(CapturedCalls, OfAHybridAtAPixelAreThatPixelsAlone) {
     const glsl::Sources sources = kernel_sources(kernels_folder());
     const auto captured = [&](const Pixels& pixels, std::size_t most = 0) {
         return capture_frame_calls(*renderer, sources, hybrid("crsm"),
-                                   {&find_case("certainty/crsm"), &find_case("conservative/eroded")},
-                                   view.settings.width, pixels, most);
+                                   {&find_case("certainty/crsm"), &find_case("conservative/eroded")}, pixels,
+                                   most);
     };
     const std::vector<Captured> all = captured({});
     ASSERT_GT(all[0].calls.size(), 100u);
@@ -233,7 +232,7 @@ TEST(CapturedCalls, AreMoreThanOneWhereAKernelIsCalledOften) {
     const auto renderer = make_renderer(scene(), view);
     const glsl::Sources sources = kernel_sources(kernels_folder());
     const Technique technique = technique_of(technique_family("rsmss"));
-    const Pixels pixels = gnomon::asked_pixels(*renderer, view.settings);
+    const Pixels pixels = asked_pixels(*renderer);
     const Captured captured = capture_calls(*renderer, sources, technique, Question::visibility,
                                             {&find_case("revectorize/walk")}, pixels)
                                   .front();
@@ -248,7 +247,7 @@ TEST(CapturedCalls, OfAKernelThatIsNoFunctionOfItsParametersAreNoticed) {
     Renderer renderer(shared_device(), sources, scene(), view.camera, view.light, view.settings);
     const Captured captured =
         capture_calls(renderer, sources, technique_of(technique_family("smsr")), Question::visibility,
-                      {&find_case("smsr/case_09")}, gnomon::asked_pixels(renderer, view.settings))
+                      {&find_case("smsr/case_09")}, asked_pixels(renderer))
             .front();
     EXPECT_GT(captured.unlike_frame.size(), 10u);
 }
@@ -259,9 +258,9 @@ TEST(CapturedCalls, OfAnotherKernelThanTheOneAloneAreNoticed) {
     glsl::Sources sources = kernel_sources(kernels_folder());
     const Technique technique = technique_of(technique_family("rsmss"));
     const Case& c = find_case("rsmss/case_22");
-    const Captured captured = capture_calls(*renderer, sources, technique, Question::visibility, {&c},
-                                            gnomon::asked_pixels(*renderer, view.settings))
-                                  .front();
+    const Captured captured =
+        capture_calls(*renderer, sources, technique, Question::visibility, {&c}, asked_pixels(*renderer))
+            .front();
     ASSERT_GT(captured.calls.size(), 20u);
     EXPECT_THAT(differing_alone(captured, view.settings.width, sources), IsEmpty());
     std::string text = read_file(kernels_folder() / "rsmss/case_22.glsl");

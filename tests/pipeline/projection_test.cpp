@@ -1,4 +1,5 @@
 // G-buffer, receivers and shadow map against rays in double precision.
+#include "casegen/capture.h"
 #include "tests/pipeline/geometry.h"
 #include "tests/pipeline/scenes.h"
 
@@ -150,7 +151,7 @@ TEST(Projection, TheMapOfADirectionalLightCoversWhatTheCameraSees) {
         std::size_t facing = 0;
         for (const std::uint8_t f : renderer->surfaces().facing) facing += f;
         EXPECT_GT(facing, 1000u);
-        EXPECT_EQ(asked_pixels(*renderer, view).size(), facing);
+        EXPECT_EQ(asked_pixels(*renderer).size(), facing);
     }
 }
 

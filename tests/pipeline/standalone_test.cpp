@@ -1,4 +1,5 @@
 // What the pipeline computes is what the kernels compute alone, bit for bit.
+#include "casegen/capture.h"
 #include "casegen/catalogue.h"
 #include "casegen/demo_scene.h"
 #include "casegen/standalone.h"
@@ -34,9 +35,9 @@ struct Pixel {
     Mask mask;
 };
 
-std::vector<Pixel> pixels_of(Renderer& renderer, const View& view) {
+std::vector<Pixel> pixels_of(Renderer& renderer) {
     constexpr glm::ivec2 centre(Capture::radius);
-    const std::vector<std::uint32_t> asked = asked_pixels(renderer, view);
+    const std::vector<std::uint32_t> asked = asked_pixels(renderer);
     const std::vector<Capture> captures = renderer.capture(asked);
     std::vector<Pixel> pixels;
     for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -80,7 +81,7 @@ using Met = std::map<std::string, std::map<unsigned, std::size_t>>;
 void compare(const View& view, Met& met) {
     const Scene scene = demo_scene();
     const auto renderer = make_renderer(scene, view);
-    const std::vector<Pixel> pixels = pixels_of(*renderer, view);
+    const std::vector<Pixel> pixels = pixels_of(*renderer);
     EXPECT_GT(pixels.size(), 2000u);
     for (const std::string& name : visibility_techniques()) {
         const Family& family = technique_family(name);
@@ -125,7 +126,7 @@ void expect_shadow_tests(const View& view) {
     const double near = frame.range.x, far = frame.range.y, bias = frame.range.z;
     const int side = view.settings.shadow_map;
     std::vector<std::uint32_t> pixels;
-    for (const std::uint32_t pixel : asked_pixels(*renderer, view))
+    for (const std::uint32_t pixel : asked_pixels(*renderer))
         if (pixel % 41 == 0) pixels.push_back(pixel);
     std::size_t beyond = 0, compared = 0, differing = 0, shadowed = 0;
     for (const auto captures = renderer->capture(pixels); const Capture& capture : captures) {

@@ -1,6 +1,5 @@
 #include "tests/pipeline/view.h"
 
-#include "casegen/capture.h"
 #include "casegen/standalone.h"
 #include "tests/support/device.h"
 #include "tests/support/environment.h"
@@ -45,10 +44,6 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const View& view) {
 
 std::vector<float> visibility(Renderer& renderer, const Technique& technique) {
     return renderer.render(technique, 1).visibility;
-}
-
-std::vector<std::uint32_t> asked_pixels(Renderer& renderer, const View& view) {
-    return gnomon::asked_pixels(renderer, view.settings);
 }
 
 std::size_t lit_only_in_first(const Surfaces& surfaces, std::span<const float> first,

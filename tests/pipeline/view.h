@@ -36,9 +36,6 @@ std::unique_ptr<Renderer> make_renderer(const Scene& scene, const View& view);
 
 std::vector<float> visibility(Renderer& renderer, const Technique& technique);
 
-/// Pixels that face the light and lie within its map: those that a kernel is asked about.
-std::vector<std::uint32_t> asked_pixels(Renderer& renderer, const View& view);
-
 /// 1 where `first` is lit and `second` is not, among the pixels that face the light.
 std::size_t lit_only_in_first(const Surfaces& surfaces, std::span<const float> first,
                               std::span<const float> second);
