@@ -106,7 +106,7 @@ Readings readings_for(const std::string& technique, const std::vector<std::strin
 
 std::map<std::string, std::string> reading_sources(const Readings& chosen) {
     return {{"rsmss/options", fmt::format("const uint RSMSS_OPTIONS = {}u;\n", chosen.rsmss)},
-            {"pipeline/options", fmt::format("const bool FLIP_ISOLATED = {};\n", chosen.flip_isolated)}};
+            {"pipeline/options", fmt::format("#define FLIP_ISOLATED {}\n", chosen.flip_isolated ? 1 : 0)}};
 }
 
 std::string to_string(const Readings& chosen) {

@@ -59,7 +59,7 @@ TEST(readings, that_there_are_not_are_named_in_the_error) {
 TEST(readings, become_constants_that_kernels_include) {
     const auto sources = reading_sources({.rsmss = 16, .flip_isolated = true});
     EXPECT_THAT(sources.at("rsmss/options"), HasSubstr("RSMSS_OPTIONS = 16u"));
-    EXPECT_THAT(sources.at("pipeline/options"), HasSubstr("FLIP_ISOLATED = true"));
+    EXPECT_THAT(sources.at("pipeline/options"), HasSubstr("FLIP_ISOLATED 1"));
 }
 
 } // namespace
