@@ -275,8 +275,8 @@ Family column_family() {
                                     margin("how far corners may be from their true places")}),
                 .result = {-infinity, infinity, "world per texel, world per texel, world, world",
                            "slope along x and y, depth, how wrong it may be within half_side"},
-                // Differences, products and a quotient: no more than 16 roundings of any input.
-                .tolerance = conditioned(16),
+                // Differences, products and a quotient: no more than 8 roundings of any input.
+                .tolerance = conditioned(8),
                 .where = has_plane,
                 .generator = squares,
                 .rule = "too thin for its margin, or not finite: depth 0, wrong by infinity",
@@ -290,7 +290,7 @@ Family column_family() {
                 .parameters = deep({across("centre", square), length("half_side", "texels", "half its side"),
                                     margin("how far corners may be from their true places")}),
                 .result = {-infinity, infinity, "world", "nearest and farthest over the square"},
-                .tolerance = conditioned(16),
+                .tolerance = conditioned(8),
                 .where = has_plane_or_none,
                 .generator = squares,
                 .rule = "too thin for a plane: the nearest and the farthest corner; corners that are NaN are "

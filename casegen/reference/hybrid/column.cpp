@@ -122,6 +122,23 @@ double farthest_corner(const Triangle<double>& triangle, Place p) {
     return farthest;
 }
 
+/// What floats may be off by at a corner's depth, by their arithmetic alone: 2^-23 of the rise, times the
+/// longest side and the farthest corner (and as much beyond it) over the area. Three times what was met.
+template <typename T>
+T arithmetic(const std::array<T, 3>& x, const std::array<T, 3>& y, const std::array<T, 3>& z,
+             const T& beyond) {
+    const auto greater = [](const T& p, const T& q) { return p < q ? q : p; };
+    T longest(0), farthest(0), rise(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t k = (i + 1) % 3;
+        longest = greater(longest, magnitude(x[i] - x[k]) + magnitude(y[i] - y[k]));
+        farthest = greater(farthest, magnitude(x[i]) + magnitude(y[i]));
+        rise = greater(rise, magnitude(z[i] - z[k]));
+    }
+    const T area = magnitude((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]));
+    return T(0x1p-23) * rise * (longest / area) * (farthest + beyond);
+}
+
 /// Slope along x and y, depth, and how wrong that may be, round the point at 9 and 10 within half_side at 11,
 /// of corners that may be off by the margin at 12; and by no less than half an ulp of how far they are.
 template <typename T>
@@ -144,18 +161,7 @@ std::array<T, 4> plane(const std::array<T, 16>& n) {
     found[2] = found[2] + z[0];
     const T steep = magnitude(found[0]) + magnitude(found[1]);
     found[3] = T(2) * margin * steep * largest;
-    // The arithmetic's own error: 2^-23 of the rise, times the longest side and the farthest corner over the
-    // area.
-    const auto greater = [](const T& p, const T& q) { return p < q ? q : p; };
-    T longest(0), farthest(0), rise(0);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t k = (i + 1) % 3;
-        longest = greater(longest, magnitude(x[i] - x[k]) + magnitude(y[i] - y[k]));
-        farthest = greater(farthest, magnitude(x[i]) + magnitude(y[i]));
-        rise = greater(rise, magnitude(z[i] - z[k]));
-    }
-    const T area = magnitude((x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]));
-    found[3] = found[3] + T(0x1p-23) * rise * (longest / area) * (farthest + n[11]);
+    found[3] = found[3] + arithmetic(x, y, z, n[11]);
     return found;
 }
 
@@ -176,6 +182,16 @@ std::array<double, 13> magnitudes_of(const Arguments& arguments) {
     magnitudes[11] = std::abs(n[11]);
     magnitudes[12] = std::abs(n[12]);
     return magnitudes;
+}
+
+/// What a depth is off by through its slope. How well inputs determine a depth between the corners of a
+/// needle says nothing of it: there each slope is known badly, and only both together well. Tables allow 8
+/// of it, which are what the kernel itself says that its arithmetic may be off by.
+double carried(const Arguments& arguments, double beyond) {
+    const auto& n = arguments.numbers;
+    return arithmetic<double>({n[0] - n[9], n[3] - n[9], n[6] - n[9]},
+                              {n[1] - n[10], n[4] - n[10], n[7] - n[10]}, {n[2], n[5], n[8]}, beyond) /
+           8;
 }
 
 std::array<double, 2> range_of(const Solid& solid) {
@@ -332,7 +348,9 @@ bool is_clear_height(const Solid& solid, Place at, double from, double tmin, dou
 }
 
 Truth column_plane(const Arguments& arguments) {
-    return truth_of(arguments, magnitudes_of(arguments), [](const auto& n) { return plane(n); });
+    Truth truth = truth_of(arguments, magnitudes_of(arguments), [](const auto& n) { return plane(n); });
+    truth.conditioning[2] += carried(arguments, 0);
+    return truth;
 }
 
 Truth column_depth_bounds(const Arguments& arguments) {
@@ -358,7 +376,8 @@ Truth column_depth_bounds(const Arguments& arguments) {
     const auto [nearest, farthest] = std::ranges::minmax(corners.value);
     truth.value[0] = std::clamp(nearest - wrong, range[0], range[1]);
     truth.value[1] = std::clamp(farthest + wrong, range[0], range[1]);
-    truth.conditioning[0] = truth.conditioning[1] = std::ranges::max(corners.conditioning) + 0x1p-20 * wrong;
+    truth.conditioning[0] = truth.conditioning[1] =
+        std::ranges::max(corners.conditioning) + carried(arguments, arguments.numbers[11]) + 0x1p-20 * wrong;
     return truth;
 }
 
