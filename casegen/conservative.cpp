@@ -115,7 +115,9 @@ Family conservative_family() {
                 .reference = reference_by<dvec2(dvec2, dvec2, dvec2, dvec2, dvec2)>(truth::line_intersection),
                 .parameters = lines,
                 .result = where_to,
-                .tolerance = conditioned(8),
+                // Of two directions 2 roundings each component, and 1 of the length that they share; of either
+                // area 2 more; 4 of the way along the first line: 16 of the differences between points.
+                .tolerance = conditioned(16),
                 .where = [](const Arguments& a) { return truth::is_clear(truth::sine_between(a)); },
                 .generator = hybrid::pairs_of_lines(),
                 .rule = or_zero,
