@@ -2,8 +2,9 @@
 // situations that matter. The situations take turns, so that a machine that slows down slows all of them
 // alike; medians.
 //
-//     build/bench/check_latency [RUNS]
+//     build/bench/check_latency [RUNS]         default 15
 #include "casegen/catalogue.h"
+#include "casegen/pattern.h"
 #include "casegen/standalone.h"
 #include "runtime/error.h"
 #include "runtime/files.h"
@@ -73,7 +74,7 @@ std::string smallest_kernels(std::size_t count) {
     std::ranges::sort(sized);
     if (sized.size() < count) throw Error("there are not {} kernels", count);
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < count; ++i) names.push_back(sized[i].second);
+    for (std::size_t i = 0; i < count; ++i) names.push_back(gnomon::exactly_named(sized[i].second));
     fmt::print("the {} smallest kernels: {} to {} SPIR-V words; the largest has {}\n", count,
                sized.front().first, sized[count - 1].first, sized.back().first);
     return fmt::format("{}", fmt::join(names, ","));

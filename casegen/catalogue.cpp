@@ -61,19 +61,14 @@ const std::vector<Family>& catalogue() {
 }
 
 std::vector<const Case*> find_cases(const std::string& patterns) {
-    const std::vector<std::string> parts = split_patterns(patterns);
-    std::vector<bool> met(parts.size());
-    std::vector<const Case*> found;
+    std::vector<const Case*> cases;
     for (const Family& family : catalogue())
-        for (const Case& c : family.cases) {
-            bool wanted = false;
-            for (std::size_t i = 0; i < parts.size(); ++i)
-                if (matches(c.name, parts[i])) wanted = met[i] = true;
-            if (wanted) found.push_back(&c);
-        }
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        if (!met[i]) throw unknown_kernel(parts[i]);
-    return found;
+        for (const Case& c : family.cases) cases.push_back(&c);
+    for (const std::string& part : split_patterns(patterns))
+        if (std::ranges::none_of(cases, [&](const Case* c) { return matches(c->name, part); }))
+            throw unknown_kernel(part);
+    std::erase_if(cases, [&](const Case* c) { return !matches(c->name, patterns); });
+    return cases;
 }
 
 unsigned number_by_conditions(const Family& family, const reference::Edge& edge) {

@@ -31,8 +31,8 @@ std::vector<Family> integral_families(); // casegen/integral/
 
 const std::vector<Family>& catalogue();
 
-/// Cases that `patterns` name (see pattern.h), each once, in the catalogue's order. Throws Error if one of
-/// the patterns is empty, and one that suggests near names if it names nothing.
+/// Cases that `patterns` name (see pattern.h), each once, in the catalogue's order. Throws Error as
+/// split_patterns, and one that suggests near names if a pattern names nothing.
 std::vector<const Case*> find_cases(const std::string& patterns);
 
 /// The number of the family's case whose condition holds for the edge; 0 if none does, 99 if several do: no

@@ -27,4 +27,6 @@ bool matches(const std::string& name, const std::string& patterns) {
     });
 }
 
+std::string exactly_named(const std::string& name) { return "[" + name.substr(0, 1) + "]" + name.substr(1); }
+
 } // namespace gnomon

@@ -1,7 +1,7 @@
 #include "casegen/check.h"
 #include "casegen/fuzz/chain.h"
 #include "casegen/fuzz/replay.h"
-
+#include "casegen/pattern.h"
 #include "cli/commands.h"
 #include "cli/parse.h"
 #include "cli/progress.h"
@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace gnomon::cli {
@@ -25,14 +26,18 @@ struct CheckCommand {
 };
 
 int run(const CheckCommand& options, const Common& common, const std::string& replay) {
-    const std::vector<const Case*> named = fuzz::find_chains(options.pattern),
-                                   chains = fuzz::with_regressions(named, options.regressions);
+    const auto is_chain = [](const Case* c) { return fuzz::find_chain(*c) != nullptr; };
+    for (const std::string& part : split_patterns(options.pattern))
+        if (const std::vector<const Case*> named = fuzz::find_subjects(part);
+            std::ranges::all_of(named, is_chain) &&
+            fuzz::with_regressions(named, options.regressions).empty())
+            throw Error("{} has no regressions on file, and nothing else of a chain is checked; gnomon fuzz "
+                        "'{}' examines it",
+                        named.front()->name, part);
+    const std::vector<const Case*> chains =
+        fuzz::with_regressions(fuzz::find_chains(options.pattern), options.regressions);
     std::vector<const Case*> cases = fuzz::find_subjects(options.pattern);
-    std::erase_if(cases, [](const Case* c) { return fuzz::find_chain(*c) != nullptr; });
-    if (cases.empty() && chains.empty())
-        throw Error("{} has no regressions on file, and nothing else of a chain is checked; gnomon fuzz '{}' "
-                    "examines it",
-                    named.front()->name, options.pattern);
+    std::erase_if(cases, is_chain);
     CheckOptions check_options;
     check_options.kernels = common.kernels;
     check_options.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
@@ -74,8 +79,7 @@ void add_check(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("check", "run kernels against their references; exit code 1 if one fails");
     auto options = std::make_shared<CheckCommand>();
-    verb->add_option("PATTERN", options->pattern,
-                     "part of a name, or a pattern with * and ?; several apart by commas (default: all)");
+    verb->add_option("PATTERN", options->pattern, pattern_help);
     verb->add_option("--samples", options->samples,
                      "inputs per kernel (default: 65536, or 8192 where the reference is multiprecision); "
                      "pins, hostile "

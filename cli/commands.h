@@ -16,6 +16,10 @@ struct Common {
     gpu::DeviceOptions device;
 };
 
+/// What PATTERN is.
+constexpr const char* pattern_help =
+    "part of a name, or a pattern with *, ? or [; several apart by commas (default: all)";
+
 /// Each adds a subcommand whose callback does the work; a callback sets `exit_code` to 1 when what was
 /// examined is wrong, and throws Error (exit code 2) when what it was given is.
 void add_devices(CLI::App& app, Common& common);

@@ -115,7 +115,8 @@ void add_compare(CLI::App& app, Common& common, int& exit_code) {
         ->required()
         ->check(not_empty());
     verb->add_option("PATTERN", options->pattern,
-                     "of folders and revisions: which kernels (default: all that compile to other code)");
+                     "of folders and revisions: which kernels, several patterns apart by commas (default: "
+                     "all that\ncompile to other code)");
     verb->add_option("--kernel", options->kernel,
                      "the kernel that a file stands for, if its function's name does not say so")
         ->check(not_empty());

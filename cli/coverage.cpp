@@ -70,8 +70,7 @@ int run(const CoverageCommand& options, const Common& common) {
 void add_coverage(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand("coverage", "which lines and branches of kernels their inputs reach");
     auto options = std::make_shared<CoverageCommand>();
-    verb->add_option("PATTERN", options->pattern,
-                     "part of a name, or a pattern with * and ?; several apart by commas (default: all)");
+    verb->add_option("PATTERN", options->pattern, pattern_help);
     verb->add_option("--samples", options->samples,
                      "inputs per kernel, fixtures included (default: as check)")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40));

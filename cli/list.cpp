@@ -11,8 +11,7 @@ namespace gnomon::cli {
 void add_list(CLI::App& app, Common&) {
     CLI::App* verb = app.add_subcommand("list", "list kernels, with where each comes from");
     auto pattern = std::make_shared<std::string>();
-    verb->add_option("PATTERN", *pattern,
-                     "part of a name, or a pattern with * and ?; several apart by commas");
+    verb->add_option("PATTERN", *pattern, pattern_help);
     verb->callback([pattern] {
         const std::vector<const Case*> cases = find_cases(*pattern);
         std::size_t width = 0;

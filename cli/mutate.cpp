@@ -93,8 +93,7 @@ void add_mutate(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb =
         app.add_subcommand("mutate", "change kernels a little, and require that their checks turn red");
     auto options = std::make_shared<MutateCommand>();
-    verb->add_option("PATTERN", options->pattern,
-                     "part of a name, or a pattern with * and ?; several apart by commas (default: all)");
+    verb->add_option("PATTERN", options->pattern, pattern_help);
     verb->add_option(
         "--operators", options->operators,
         "only these, apart by commas: constant, comparison, arithmetic, bits, sign, logic, condition, "

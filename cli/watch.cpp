@@ -86,8 +86,7 @@ void add_watch(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "watch", "stay, and check kernels again on every save: verdict, what moved, time before and after");
     auto options = std::make_shared<WatchCommand>();
-    verb->add_option("PATTERN", options->patterns,
-                     "parts of names, or patterns with * and ? (default: all kernels)");
+    verb->add_option("PATTERN", options->patterns, pattern_help);
     verb->add_option("--samples", options->samples, "inputs per kernel (default: as check)")
         ->check(CLI::Range(std::size_t{1}, watch::most_samples));
     verb->add_option("--seed", options->seed, "of all kernels (default: each its own, as check)");

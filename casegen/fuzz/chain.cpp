@@ -45,15 +45,10 @@ std::vector<const Case*> find_chains(const std::string& patterns) {
 }
 
 std::vector<const Case*> find_subjects(const std::string& patterns) {
-    std::string of_kernels; // the patterns that name no chain: those must name kernels
     for (const std::string& part : split_patterns(patterns))
-        if (find_chains(part).empty()) of_kernels += (of_kernels.empty() ? "" : ",") + part;
-    if (!of_kernels.empty()) find_cases(of_kernels); // which says what there is
-
-    std::vector<const Case*> found;
-    for (const Family& family : catalogue())
-        for (const Case& c : family.cases)
-            if (matches(c.name, patterns)) found.push_back(&c);
+        if (find_chains(part).empty()) find_cases(part); // which says what there is
+    std::vector<const Case*> found = find_cases("");
+    std::erase_if(found, [&](const Case* c) { return !matches(c->name, patterns); });
     const std::vector<const Case*> of_chains = find_chains(patterns);
     found.insert(found.end(), of_chains.begin(), of_chains.end());
     return found;

@@ -45,8 +45,8 @@ const Chain* find_chain(const Case& c);
 /// A kernel or a chain by its whole name; null if there is none.
 const Case* find_subject(const std::string& name);
 
-/// Kernels, then chains, that `patterns` name (see pattern.h). Throws Error if one of the patterns is empty,
-/// and one that suggests near names of kernels if it names nothing.
+/// Kernels, then chains, that `patterns` name (see pattern.h). Throws Error as split_patterns, and one
+/// that suggests near names of kernels if a pattern names nothing.
 std::vector<const Case*> find_subjects(const std::string& patterns);
 /// The same of chains alone; none is no error.
 std::vector<const Case*> find_chains(const std::string& patterns);

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <iterator>
 #include <set>
 
 namespace gnomon::measure {
@@ -108,14 +108,15 @@ std::vector<Group> group(std::span<const Case* const> cases, std::span<const Tri
 }
 
 std::vector<const Case*> find_variants(const std::string& patterns) {
+    std::vector<const Case*> variants = find_cases("");
     std::set<const Case*> named;
     for (const std::string& part : split_patterns(patterns)) {
-        const auto of_quantity = [&](const Case* c) { return !part.empty() && c->quantity == part; };
-        std::vector<const Case*> found = find_cases("");
-        if (std::erase_if(found, std::not_fn(of_quantity)); found.empty()) found = find_cases(part);
-        named.insert(found.begin(), found.end());
+        const auto is_variant = [&](const Case* c) { return !part.empty() && c->quantity == part; };
+        if (std::ranges::any_of(variants, is_variant))
+            std::ranges::copy_if(variants, std::inserter(named, named.end()), is_variant);
+        else
+            std::ranges::copy(find_cases(part), std::inserter(named, named.end()));
     }
-    std::vector<const Case*> variants = find_cases("");
     std::erase_if(variants, [&](const Case* c) { return !named.contains(c); });
     return variants;
 }

@@ -78,12 +78,22 @@ TEST(check_verb, the_same_seed_gives_the_same_report) {
     EXPECT_NE(without_time(check_json({"check", "revectorize", "--samples", "2000", "--seed", "43"})), first);
 }
 
+TEST(check_verb, takes_patterns_apart_by_commas) {
+    const nlohmann::json checked = check_json({"check", "rsmss/case_09,smsr/case_0[89]", "--samples", "100"});
+    std::vector<std::string> names;
+    for (const nlohmann::json& entry : checked) names.push_back(entry.at("kernel"));
+    EXPECT_THAT(names, ::testing::ElementsAre("smsr/case_08", "smsr/case_09", "rsmss/case_09"));
+}
+
 TEST(check_verb, refuses_what_it_cannot_do_with_one_line) {
     const testing::TemporaryFolder folder;
     const auto refused = [&](const testing::Arguments& arguments, const char* what) {
         testing::expect_refused(folder, testing::Arguments{"check"} + arguments, what);
     };
     refused({"smsr/case_9"}, "smsr/case_09");
+    refused({"smsr/case_09,rsmss/case_32"}, "no kernel matches \"rsmss/case_32\"");
+    refused({"smsr/case_09,"}, "a pattern in \"smsr/case_09,\" is empty");
+    refused({"smsr/case_09,chain/smsr"}, "chain/smsr has no regressions on file");
     refused({"smsr/case\n_9"}, "case _9"); // what is quoted stays on the message's one line
     refused({"smsr/case_09", "--seed", "1\n2"}, "1 2");
     refused({"smsr/case_09", "--samples", "0"}, "--samples");

@@ -70,6 +70,23 @@ TEST(bench, groups_kernels_by_their_quantity) {
     EXPECT_EQ(groups[2].name, "wave/other");
 }
 
+TEST(bench, is_asked_for_by_quantity_or_name) {
+    const auto names = [](const std::string& patterns) {
+        std::vector<std::string> found;
+        for (const Case* c : find_variants(patterns)) found.push_back(c->name);
+        return found;
+    };
+    const std::vector<std::string> quantity = names("integral/a0"); // all its forms, and nothing else
+    EXPECT_THAT(quantity, AllOf(::testing::Contains("integral/printed/a0"),
+                                ::testing::Contains("integral/exact_theta/a0"),
+                                ::testing::Each(::testing::EndsWith("/a0"))));
+    std::vector<std::string> both = names("integral/a0,smsr/case_09");
+    EXPECT_EQ(both.size(), quantity.size() + 1);
+    EXPECT_THAT(both, ::testing::Contains("smsr/case_09"));
+    EXPECT_EQ(names("").size(), find_cases("").size());
+    EXPECT_THROW(names("integral/a0,no such thing"), Error);
+}
+
 TEST(bench, inputs_add_up_by_class_locus_and_distance) {
     const SineFamily family;
     const BenchOptions options = options_for(family);
