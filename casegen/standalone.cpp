@@ -28,7 +28,7 @@ bool lit(ivec2 texel) {
     uint bit = uint(nearest.y * mask_size.x + nearest.x);
     bool stored = ((mask_bits[mask_first + (bit >> 5)] >> (bit & 31u)) & 1u) != 0u;
     uint beyond = nearest == texel ? 0u : mask_outside;
-    bool lit_beyond = beyond == 1u;
+    bool lit_beyond = beyond == 1u; // a name: glslang branches around an expression
     return beyond == 0u ? stored : lit_beyond;
 }
 )";

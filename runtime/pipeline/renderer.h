@@ -77,7 +77,7 @@ public:
     /// the constructor does; then nothing has changed.
     void look(const Camera& camera, const Light& light);
 
-    const ViewSettings& settings() const;
+    const ViewSettings& settings() const; ///< the constructor's; look keeps them
 
     /// Renders `frames` + 1 times (at least 2) and keeps the medians of the last `frames`.
     Rendering render(const Technique& technique, int frames = 5);

@@ -56,10 +56,11 @@ TEST(readings, that_there_are_not_are_named_in_the_error) {
     EXPECT_TRUE(readings_for("smsr", {"isolated=flipped"}).flip_isolated);
 }
 
-TEST(readings, become_constants_that_kernels_include) {
+TEST(readings, become_texts_that_kernels_include) {
     const auto sources = reading_sources({.rsmss = 16, .flip_isolated = true});
     EXPECT_THAT(sources.at("rsmss/options"), HasSubstr("RSMSS_OPTIONS = 16u"));
     EXPECT_THAT(sources.at("pipeline/options"), HasSubstr("FLIP_ISOLATED 1"));
+    EXPECT_THAT(reading_sources({}).at("pipeline/options"), HasSubstr("FLIP_ISOLATED 0"));
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "tests/pipeline/view.h"
 #include "tests/support/case_chain.h"
 #include "tests/support/device.h"
+#include "tests/support/environment.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -163,6 +164,28 @@ TEST(Capture, HoldsTheShadowTestOfEveryTexelAround) {
             view.settings.bias = plane ? 0 : 0.03f;
             expect_shadow_tests(view);
         }
+}
+
+TEST(Capture, HoldsAMapWithoutIsolatedTexelsWhereThatIsAskedFor) {
+    const View view = demo_view(160, 120, 64);
+    const Scene scene = demo_scene();
+    const auto renderer = make_renderer(scene, view);
+    Renderer flipping(shared_device(), kernel_sources(kernels_folder(), {.flip_isolated = true}), scene,
+                      view.camera, view.light, view.settings);
+    const std::vector<std::uint32_t> pixels = asked_pixels(*renderer);
+    const std::vector<Capture> plain = renderer->capture(pixels), flipped = flipping.capture(pixels);
+    std::size_t moved = 0, differing = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const Mask before = mask_of(plain[i], Outside::clamp), after = mask_of(flipped[i], Outside::clamp);
+        const Mask wanted = without_isolated(before);
+        for (int y = 1; y < window - 1; ++y) // what the border's texels differ from is not in the window
+            for (int x = 1; x < window - 1; ++x) {
+                moved += wanted.lit(x, y) != before.lit(x, y) ? 1 : 0;
+                differing += wanted.lit(x, y) != after.lit(x, y) ? 1 : 0;
+            }
+    }
+    EXPECT_EQ(differing, 0u);
+    EXPECT_GT(moved, 1000u);
 }
 
 TEST(Capture, OfNoPixelIsEmpty) {
