@@ -60,9 +60,6 @@ bool is_on_coarse_grid(const Arguments& arguments, std::size_t count) {
            });
 }
 
-// --- references
-// ------------------------------------------------------------------------------------------------------
-
 bool overlaps(dvec2 a, dvec2 b, dvec2 c, dvec2 centre, double half_side) {
     return truth::meets_square({place(a), place(b), place(c)}, place(centre), half_side);
 }
@@ -275,8 +272,9 @@ Family column_family() {
                                     margin("how far corners may be from their true places")}),
                 .result = {-infinity, infinity, "world per texel, world per texel, world, world",
                            "slope along x and y, depth, how wrong it may be within half_side"},
-                // Differences, products and a quotient: no more than 8 roundings of any input.
-                .tolerance = conditioned(8),
+                // Of slopes and error: differences, products and a quotient. Of the depth also what the
+                // slopes carry to it, which no conditioning of the depth tells of (truth::plane_roundings).
+                .tolerance = conditioned(truth::plane_roundings),
                 .where = has_plane,
                 .generator = squares,
                 .rule = "too thin for its margin, or not finite: depth 0, wrong by infinity",
@@ -290,7 +288,7 @@ Family column_family() {
                 .parameters = deep({across("centre", square), length("half_side", "texels", "half its side"),
                                     margin("how far corners may be from their true places")}),
                 .result = {-infinity, infinity, "world", "nearest and farthest over the square"},
-                .tolerance = conditioned(8),
+                .tolerance = conditioned(truth::plane_roundings), // of the plane's depths
                 .where = has_plane_or_none,
                 .generator = squares,
                 .rule = "too thin for a plane: the nearest and the farthest corner; corners that are NaN are "

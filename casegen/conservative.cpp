@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <limits>
 
 namespace gnomon {
 namespace {
@@ -115,8 +114,8 @@ Family conservative_family() {
                 .reference = reference_by<dvec2(dvec2, dvec2, dvec2, dvec2, dvec2)>(truth::line_intersection),
                 .parameters = lines,
                 .result = where_to,
-                // Of two directions 2 roundings each component, and 1 of the length that they share; of either
-                // area 2 more; 4 of the way along the first line: 16 of the differences between points.
+                // Three differences between points, each divided by its largest, their products, and a
+                // quotient: some dozen roundings, divisions of 2.5 ulp among them. A search met 10.3.
                 .tolerance = conditioned(16),
                 .where = [](const Arguments& a) { return truth::is_clear(truth::sine_between(a)); },
                 .generator = hybrid::pairs_of_lines(),

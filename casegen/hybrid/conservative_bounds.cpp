@@ -167,12 +167,12 @@ Bounds around_the_plane(std::span<const double> n, const Truth& truth) {
     const double much = 3 * 0x1p-21 * terms.most + DepthTerms::underflow;
     if (!(much < 0x1p100)) return of_either_sign({{least, least}, {most, most}});
     // A truth at the other end of the range may lie anywhere beyond it.
-    const double nearest = truth.value[0], farthest = truth.value[1];
+    const double near_end = truth.value[0], far_end = truth.value[1];
     Bounds bounds;
-    bounds.lower[0] = std::max(nearest - much, least);
-    bounds.upper[0] = nearest < most ? std::max(nearest - some, least) : most;
-    bounds.lower[1] = farthest > least ? std::min(farthest + some, most) : least;
-    bounds.upper[1] = std::min(farthest + much, most);
+    bounds.lower[0] = std::max(near_end - much, least);
+    bounds.upper[0] = near_end < most ? std::max(near_end - some, least) : most;
+    bounds.lower[1] = far_end > least ? std::min(far_end + some, most) : least;
+    bounds.upper[1] = std::min(far_end + much, most);
     return of_either_sign(bounds);
 }
 

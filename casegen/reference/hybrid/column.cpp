@@ -122,11 +122,12 @@ double farthest_corner(const Triangle<double>& triangle, Place p) {
     return farthest;
 }
 
-/// What floats may be off by at a corner's depth, by their arithmetic alone: 2^-23 of the rise, times the
-/// longest side and the farthest corner (and as much beyond it) over the area. Three times what was met.
+/// What the roundings of products, whose difference is a thin triangle's area, make of a depth by its slope:
+/// 2^-23 of the rise, times the longest side over the area, times the way to the farthest corner and `beyond`
+/// it, in texels.
 template <typename T>
-T arithmetic(const std::array<T, 3>& x, const std::array<T, 3>& y, const std::array<T, 3>& z,
-             const T& beyond) {
+T carried_by_slopes(const std::array<T, 3>& x, const std::array<T, 3>& y, const std::array<T, 3>& z,
+                    const T& beyond) {
     const auto greater = [](const T& p, const T& q) { return p < q ? q : p; };
     T longest(0), farthest(0), rise(0);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -161,7 +162,7 @@ std::array<T, 4> plane(const std::array<T, 16>& n) {
     found[2] = found[2] + z[0];
     const T steep = magnitude(found[0]) + magnitude(found[1]);
     found[3] = T(2) * margin * steep * largest;
-    found[3] = found[3] + arithmetic(x, y, z, n[11]);
+    found[3] = found[3] + carried_by_slopes(x, y, z, n[11]);
     return found;
 }
 
@@ -184,14 +185,12 @@ std::array<double, 13> magnitudes_of(const Arguments& arguments) {
     return magnitudes;
 }
 
-/// What a depth is off by through its slope. How well inputs determine a depth between the corners of a
-/// needle says nothing of it: there each slope is known badly, and only both together well. Tables allow 8
-/// of it, which are what the kernel itself says that its arithmetic may be off by.
-double carried(const Arguments& arguments, double beyond) {
+/// What a depth's conditioning holds of that: see plane_roundings.
+double carried_share(const Arguments& arguments, double beyond) {
     const auto& n = arguments.numbers;
-    return arithmetic<double>({n[0] - n[9], n[3] - n[9], n[6] - n[9]},
-                              {n[1] - n[10], n[4] - n[10], n[7] - n[10]}, {n[2], n[5], n[8]}, beyond) /
-           8;
+    return carried_by_slopes<double>({n[0] - n[9], n[3] - n[9], n[6] - n[9]},
+                                     {n[1] - n[10], n[4] - n[10], n[7] - n[10]}, {n[2], n[5], n[8]}, beyond) /
+           plane_roundings;
 }
 
 std::array<double, 2> range_of(const Solid& solid) {
@@ -349,7 +348,7 @@ bool is_clear_height(const Solid& solid, Place at, double from, double tmin, dou
 
 Truth column_plane(const Arguments& arguments) {
     Truth truth = truth_of(arguments, magnitudes_of(arguments), [](const auto& n) { return plane(n); });
-    truth.conditioning[2] += carried(arguments, 0);
+    truth.conditioning[2] += carried_share(arguments, 0);
     return truth;
 }
 
@@ -376,8 +375,9 @@ Truth column_depth_bounds(const Arguments& arguments) {
     const auto [nearest, farthest] = std::ranges::minmax(corners.value);
     truth.value[0] = std::clamp(nearest - wrong, range[0], range[1]);
     truth.value[1] = std::clamp(farthest + wrong, range[0], range[1]);
-    truth.conditioning[0] = truth.conditioning[1] =
-        std::ranges::max(corners.conditioning) + carried(arguments, arguments.numbers[11]) + 0x1p-20 * wrong;
+    truth.conditioning[0] = truth.conditioning[1] = std::ranges::max(corners.conditioning) +
+                                                    carried_share(arguments, arguments.numbers[11]) +
+                                                    0x1p-20 * wrong;
     return truth;
 }
 

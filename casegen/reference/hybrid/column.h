@@ -47,6 +47,12 @@ bool is_clear_height(const Solid& solid, Place at, double from, double tmin, dou
 /// rounds.
 unsigned has_plane(const Solid& solid, Place at, double margin);
 
+/// Roundings of any input that a plane may be off by. A depth's conditioning holds, besides, one part in so
+/// many of what the kernel itself says that slopes carry to it: between the corners of a needle each slope is
+/// known badly, and only both together well. There a depth is held to no more than the kernel's own bound;
+/// that this is one is tested without any tolerance (tests/hybrid_kernels/column_test.cpp).
+constexpr double plane_roundings = 8;
+
 Truth column_plane(const Arguments& a_b_c_at_half_side_margin);
 Truth column_depth_bounds(const Arguments& a_b_c_centre_half_side_margin);
 
