@@ -1,14 +1,24 @@
-// The point on both lines, ab and cd: a + t (b - a), where t is the ratio of the areas that (c - a) and (b - a) span with
-// (d - c). `otherwise` if no float says where: the lines are parallel to within rounding, one of them has no direction, or the
-// point is too far.   [thesis 2.2.1, lineLineIntersection, which divides by that area whatever it is; docs/decisions.md H2]
+// The point on both lines, ab and cd: from the end of ab that is nearer to it, v, on by t (b - a), where t is the ratio of the
+// areas that (c - v) and (b - a) span with (d - c). Roundings of a long way would be seen where it ends. `otherwise` if no
+// float says where: the lines are parallel to within rounding, one of them has no direction, or the point is too
+// far.   [thesis 2.2.1, lineLineIntersection, which starts at a and divides by that area whatever it is; docs/decisions.md H2]
 #include "conservative/lines.glslh"
 
+// By a power of two, so that nothing is rounded, to between 1/2 and 1 along its longer axis.
+vec2 conservative_scaled(vec2 e) {
+    int exponent;
+    frexp(conservative_largest(e), exponent);
+    return ldexp(e, ivec2(-exponent));
+}
+
 vec2 conservative_line_intersection(vec2 a, vec2 b, vec2 c, vec2 d, vec2 otherwise) {
-    vec2 along = conservative_direction(b - a), across = conservative_direction(d - c);
+    vec2 along = conservative_scaled(b - a), across = conservative_scaled(d - c);
     float area = conservative_cross(along, across);
-    if (!(abs(area) > conservative_parallel)) return bounded(otherwise);
-    float largest = conservative_largest(c - a);
-    if (largest == 0.0) return bounded(a);
-    precise vec2 point = a + along * (largest * (conservative_cross((c - a) / largest, across) / area));
+    float lengths = sqrt(conservative_dot(along, along) * conservative_dot(across, across));
+    if (!(abs(area) > conservative_parallel * lengths)) return bounded(otherwise);
+    float from_a = conservative_cross(c - a, across), from_b = conservative_cross(c - b, across);
+    bool is_nearer_to_b = abs(from_b) < abs(from_a);
+    vec2 start = is_nearer_to_b ? b : a;
+    precise vec2 point = start + along * ((is_nearer_to_b ? from_b : from_a) / area);
     return is_finite(point) ? point : bounded(otherwise);
 }

@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
                             {"conservative/inward"}},
                       Break{"lines_that_divide_by_nothing",
                             "conservative/line_intersection.glsl",
-                            "if (!(abs(area) > conservative_parallel)) return bounded(otherwise);",
+                            "if (!(abs(area) > conservative_parallel * lengths)) return bounded(otherwise);",
                             "",
                             {"conservative/line_intersection"}},
                       Break{"an_obtuse_corner_by_bisector",
