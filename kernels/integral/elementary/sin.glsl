@@ -3,6 +3,7 @@
 
 float integral_elementary_sin(float x) {
     Quarter q = reduce(x);
-    float value = (q.quadrant & 1u) == 0u ? sine_near_0(q.rest) : cosine_near_0(q.rest);
-    return (q.quadrant & 2u) == 0u ? value : -value;
+    // Both, and one of them chosen: a branch costs more.
+    float s = sine_near_0(q.rest), c = cosine_near_0(q.rest), value = (q.quadrant & 1u) == 0u ? s : c, opposite = -value;
+    return (q.quadrant & 2u) == 0u ? value : opposite;
 }

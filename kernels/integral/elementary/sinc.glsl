@@ -2,5 +2,6 @@
 #include "integral/trigonometry.glslh"
 
 float integral_elementary_sinc(float x) {
-    return abs(x) > 0.0 ? sine(x) / x : 1.0; // NaN is taken for 0, as sin takes it
+    float mean = sine(x) / x; // a name, that no branch is made of it
+    return abs(x) > 0.0 ? mean : 1.0; // NaN is taken for 0, as sin takes it
 }
