@@ -102,7 +102,7 @@ std::vector<Case> radiance_cases() {
     std::vector<Case> cases;
     cases.push_back(columns("columns_4", 0.6));
     cases.push_back(columns("columns_8", 4));
-    cases.push_back(columns("columns_12", 8));
+    cases.push_back(columns("columns_12", 20));
     cases.push_back(columns("columns_16", 20));
     cases.push_back(in_form("mix", q, conditioned(8)));
     cases.push_back(centred("centred_4", 0.6));

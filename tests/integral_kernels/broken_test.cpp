@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
               "integral/gauss.glslh",
               "vec2(0.0950125098",
               "vec2(0.0951125098",
-              {"mix/radiance", "columns_16/radiance"}},
+              {"columns_16/radiance"}},
         Break{"the_middle_of_an_interval",
               "integral/lit_cell.glslh",
               "0.5 * versines.x + 0.5 * versines.y",

@@ -10,10 +10,10 @@ float integral_mix_radiance(float phi, float half_width, float theta0, vec2 rise
                             vec2 versines) {
     if (!is_answered(phi, half_width, theta0, rise, n, p, lambda, mu, versines)) return 0.0;
     LitCell cell = lit_cell(phi, half_width, theta0, rise, n, p, lambda, mu, versines);
-    // Radians of that wave on half the width, and the nodes that leave 1e-7 of it (the most is 3π/2 + 2π).
+    // Radians of that wave on half the width, and the nodes that leave 1e-7 of it: 12 for the most, 3π/2 + 2π, as the wave
+    // that is the fastest has an eighth of the integrand.
     float wave = 3.0 * abs(cell.gain) + 2.0 * abs(half_width);
-    Rule rule = GAUSS_16;
-    if (wave < 6.0) rule = GAUSS_12;
+    Rule rule = GAUSS_12;
     if (wave < 3.5) rule = GAUSS_8;
     if (wave < 0.5) rule = GAUSS_4;
     return bounded(by_columns(cell, rule));
