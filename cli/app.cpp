@@ -7,10 +7,48 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 namespace gnomon::cli {
 
-std::unique_ptr<CLI::App> make_app(Common& common, int& exit_code) {
+namespace {
+
+struct Verb {
+    std::string_view name;
+    void (*add)(CLI::App& app, Common& common, int& exit_code);
+};
+
+template <void (*add)(CLI::App& app, Common& common)>
+void always_0(CLI::App& app, Common& common, int&) {
+    add(app, common);
+}
+
+constexpr Verb verbs[] = {
+    {"list", always_0<add_list>},
+    {"describe", always_0<add_describe>},
+    {"witnesses", always_0<add_witnesses>},
+    {"check", add_check},
+    {"eval", add_eval},
+    {"capture", add_capture},
+    {"revectorize", always_0<add_revectorize>},
+    {"render", always_0<add_render>},
+    {"census", add_census},
+    {"atlas", add_atlas},
+    {"bench", add_bench},
+    {"worst", add_worst},
+    {"coverage", add_coverage},
+    {"fuzz", add_fuzz},
+    {"mutate", add_mutate},
+    {"watch", add_watch},
+    {"compare", add_compare},
+    {"reproduce", always_0<add_reproduce>},
+    {"demo", add_demo},
+    {"devices", always_0<add_devices>},
+};
+
+} // namespace
+
+std::unique_ptr<CLI::App> make_app(Common& common, int& exit_code, std::string_view first) {
     const char* folder = std::getenv("GNOMON_KERNELS");
     common.kernels = folder ? folder : GNOMON_SOURCE_DIR "/kernels";
     auto made = std::make_unique<CLI::App>(
@@ -40,39 +78,23 @@ std::unique_ptr<CLI::App> make_app(Common& common, int& exit_code) {
         ->capture_default_str();
 
     app.parse_complete_callback([&app, &common] {
-        gpu::prepare_process(common.device.name.empty() && !app.got_subcommand("devices"));
+        const bool lists_devices = std::ranges::any_of(
+            app.get_subcommands(), [](const CLI::App* verb) { return verb->get_name() == "devices"; });
+        gpu::prepare_process(common.device.name.empty() && !lists_devices);
     });
 
-    add_list(app, common);
-    add_describe(app, common);
-    add_witnesses(app, common);
-    add_check(app, common, exit_code);
-    add_eval(app, common, exit_code);
-    add_capture(app, common, exit_code);
-    add_revectorize(app, common);
-    add_render(app, common);
-    add_census(app, common, exit_code);
-    add_atlas(app, common, exit_code);
-    add_bench(app, common, exit_code);
-    add_worst(app, common, exit_code);
-    add_coverage(app, common, exit_code);
-    add_fuzz(app, common, exit_code);
-    add_mutate(app, common, exit_code);
-    add_watch(app, common, exit_code);
-    add_compare(app, common, exit_code);
-    add_reproduce(app, common);
-    add_demo(app, common, exit_code);
-    add_devices(app, common);
+    const bool is_verb = std::ranges::find(verbs, first, &Verb::name) != std::end(verbs);
+    for (const Verb& verb : verbs)
+        if (!is_verb || verb.name == first) verb.add(app, common, exit_code);
     return made;
 }
 
-void require_verb(const CLI::App& app, const std::string& word) {
+void require_verb(const std::string& word) {
     if (word.starts_with('-')) return;
-    const std::vector<const CLI::App*> verbs = app.get_subcommands([](const CLI::App*) { return true; });
     std::string names;
-    for (const CLI::App* verb : verbs) {
-        if (verb->get_name() == word) return;
-        names += " " + verb->get_name();
+    for (const Verb& verb : verbs) {
+        if (verb.name == word) return;
+        names += fmt::format(" {}", verb.name);
     }
     throw Error("no verb \"{}\"; there are:{}", word, names);
 }

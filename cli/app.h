@@ -5,14 +5,16 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace gnomon::cli {
 
-/// With all verbs. Parsing a command line runs the verb that it names (see commands.h). `common` and
+/// Parsing a command line runs the verb that it names (see commands.h). Its `first` word tells which verb has
+/// to be there, as to describe all takes milliseconds; all are there if it names none. `common` and
 /// `exit_code` must outlive it.
-std::unique_ptr<CLI::App> make_app(Common& common, int& exit_code);
+std::unique_ptr<CLI::App> make_app(Common& common, int& exit_code, std::string_view first = {});
 
 /// Throws Error with the verbs that there are if the command line's first word is neither one nor an option.
-void require_verb(const CLI::App& app, const std::string& word);
+void require_verb(const std::string& word);
 
 } // namespace gnomon::cli

@@ -17,8 +17,8 @@ using namespace gnomon;
 int run(int argc, char** argv) {
     cli::Common common;
     int exit_code = 0;
-    const std::unique_ptr<CLI::App> app = cli::make_app(common, exit_code);
-    if (argc > 1) cli::require_verb(*app, argv[1]);
+    if (argc > 1) cli::require_verb(argv[1]);
+    const std::unique_ptr<CLI::App> app = cli::make_app(common, exit_code, argc > 1 ? argv[1] : "");
     try {
         app->parse(argc, argv);
     } catch (const CLI::ParseError& error) {
