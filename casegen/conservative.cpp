@@ -114,7 +114,7 @@ Family conservative_family() {
                 .reference = reference_by<dvec2(dvec2, dvec2, dvec2, dvec2, dvec2)>(truth::line_intersection),
                 .parameters = lines,
                 .result = where_to,
-                .tolerance = conditioned(8), // gnomon worst finds no more than 6.5
+                .tolerance = conditioned(8), // not derived: gnomon worst finds no more than 6.5
                 .where = [](const Arguments& a) { return truth::is_clear(truth::sine_between(a)); },
                 .generator = hybrid::pairs_of_lines(),
                 .rule = or_zero,

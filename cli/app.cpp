@@ -19,19 +19,19 @@ struct Verb {
 };
 
 template <void (*add)(CLI::App& app, Common& common)>
-void always_0(CLI::App& app, Common& common, int&) {
+void without_exit_code(CLI::App& app, Common& common, int&) {
     add(app, common);
 }
 
 constexpr Verb verbs[] = {
-    {"list", always_0<add_list>},
-    {"describe", always_0<add_describe>},
-    {"witnesses", always_0<add_witnesses>},
+    {"list", without_exit_code<add_list>},
+    {"describe", without_exit_code<add_describe>},
+    {"witnesses", without_exit_code<add_witnesses>},
     {"check", add_check},
     {"eval", add_eval},
     {"capture", add_capture},
-    {"revectorize", always_0<add_revectorize>},
-    {"render", always_0<add_render>},
+    {"revectorize", without_exit_code<add_revectorize>},
+    {"render", without_exit_code<add_render>},
     {"census", add_census},
     {"atlas", add_atlas},
     {"bench", add_bench},
@@ -41,9 +41,9 @@ constexpr Verb verbs[] = {
     {"mutate", add_mutate},
     {"watch", add_watch},
     {"compare", add_compare},
-    {"reproduce", always_0<add_reproduce>},
+    {"reproduce", without_exit_code<add_reproduce>},
     {"demo", add_demo},
-    {"devices", always_0<add_devices>},
+    {"devices", without_exit_code<add_devices>},
 };
 
 } // namespace

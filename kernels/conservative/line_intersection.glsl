@@ -1,10 +1,11 @@
 // The point on both lines, ab and cd: from the end of ab that is nearer to it, v, on by t (b - a), where t is the ratio of the
-// areas that (c - v) and (b - a) span with (d - c). Roundings of a long way would be seen where it ends. `otherwise` if no
-// float says where: the lines are parallel to within rounding, one of them has no direction, or the point is too
-// far.   [thesis 2.2.1, lineLineIntersection, which starts at a and divides by that area whatever it is; docs/decisions.md H2]
+// areas that (c - v) and (b - a) span with (d - c). Roundings of a long way would be seen where it ends. `otherwise` if the
+// lines are parallel to within rounding, one of them has no direction, or the way there is too long for a float.
+// [thesis 2.2.1, lineLineIntersection, which starts at a and divides by that area whatever it is; docs/decisions.md H2]
 #include "conservative/lines.glslh"
 
-// By a power of two, so that nothing is rounded, to between 1/2 and 1 along its longer axis.
+// By a power of two, so that nothing is rounded, to between 1/2 and 1 along its longer axis. Of edges beyond 2^125, and below
+// 2^-127, GLSL does not say so; they may come out as none.
 vec2 conservative_scaled(vec2 e) {
     int exponent;
     frexp(conservative_largest(e), exponent);

@@ -52,7 +52,7 @@ void look(const std::vector<std::string>& arguments) {
 struct Program {
     cli::Common common;
     int exit_code = 0;
-    std::unique_ptr<CLI::App> app = cli::make_app(common, exit_code);
+    std::unique_ptr<CLI::App> app = cli::make_app(common, exit_code, "");
 
     Program() {
         app->parse_complete_callback([] { throw CLI::Success(); }); // all is parsed, and no verb has run

@@ -2,6 +2,6 @@
 #include "integral/trigonometry.glslh"
 
 float integral_elementary_sinc(float x) {
-    float mean = sine(x) / x; // a name, that no branch is made of it
+    float mean = sine(x) / x; // named first, or glslang makes a branch of it
     return abs(x) > 0.0 ? mean : 1.0; // NaN is taken for 0, as sin takes it
 }

@@ -11,8 +11,8 @@ float integral_sinc_c3(float phi0, float phi1, float p) {
     float z = h * h;
     precise float series =
         h * z * (0.333333333 + z * (-3.33333333e-2 + z * (1.19047619e-3 + z * (-2.20458554e-5 + z * 2.50521084e-7))));
-    vec2 end = turn(h);
-    float difference = end.y - h * end.x, odd = abs(h) < 1.0 ? series : difference;
+    vec2 turned = turn(h);
+    float difference = turned.y - h * turned.x, odd = abs(h) < 1.0 ? series : difference;
     precise float sum = m * wave_of_sin(m, h, 1.0, p) + 2.0 * cosine(m + p) * odd;
     return bounded(sum);
 }
