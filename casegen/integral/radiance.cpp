@@ -97,8 +97,9 @@ std::vector<Case> radiance_cases() {
         return good_where(in_form(form, q, conditioned(8)),
                           [most](const Arguments& arguments) { return shape_of(arguments).wave <= most; });
     };
-    // The numbers are what hill-climbing on the inputs' bits finds (fixtures/worst), with room to spare;
-    // ordinary and stiff inputs stay at about 2 by columns. docs/integrals.md has the tables.
+    // The numbers are what hill-climbing on the inputs' bits finds by columns (fixtures/worst), with room to
+    // spare; ordinary and stiff inputs stay at about 2. Of exact_theta and centred it finds some far beyond
+    // theirs. docs/integrals.md, 6 has the tables.
     std::vector<Case> cases;
     cases.push_back(columns("columns_4", 0.6));
     cases.push_back(columns("columns_8", 4));
