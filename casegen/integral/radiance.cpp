@@ -103,9 +103,8 @@ std::vector<Case> radiance_cases() {
     std::vector<Case> cases;
     cases.push_back(columns("columns_4", 0.6));
     cases.push_back(columns("columns_8", 4));
-    const double any = 12; // the most is 3π/2 + 2π
-    cases.push_back(columns("columns_12", any));
-    cases.push_back(columns("columns_16", any));
+    cases.push_back(in_form("columns_12", q, conditioned(8)));
+    cases.push_back(in_form("columns_16", q, conditioned(8)));
     cases.push_back(in_form("mix", q, conditioned(8)));
     cases.push_back(centred("centred_4", 0.6));
     cases.push_back(centred("centred_8", 4));
