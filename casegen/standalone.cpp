@@ -34,7 +34,7 @@ bool lit(ivec2 texel) {
 )";
 
 std::string word_expression(std::size_t word) {
-    return fmt::format("inputs[record + {}u].{}", word / 4, "xyzw"[word % 4]);
+    return fmt::format("words_{}.{}", word / 4, "xyzw"[word % 4]);
 }
 
 std::string from_word(Scalar scalar, const std::string& word) {
@@ -64,6 +64,15 @@ bool has_undefined_value(const glsl::Spirv& words) {
 std::size_t record_words(const Case& c) {
     const std::size_t words = word_count(c) + (c.reference.takes_mask ? 4 : 0);
     return std::max<std::size_t>(4, (words + 3) / 4 * 4);
+}
+
+/// Reads `record`, for word_expression(). Four words at once: lavapipe makes a loop over its lanes of every
+/// read.
+std::string record_reading(const Case& c) {
+    std::string text;
+    for (std::size_t i = 0; i < record_words(c) / 4; ++i)
+        text += fmt::format("    uvec4 words_{} = inputs[record + {}u];\n", i, i);
+    return text;
 }
 
 constexpr std::size_t least_rehearsed = 4096;
@@ -145,14 +154,14 @@ std::string standalone_source(const Case& c, const Addition& addition) {
     for (std::size_t k = 0; k < words.size(); ++k)
         writes += fmt::format("    results[{}u + {}u * index + {}u] = {};\n", guard_words, words.size(), k,
                               words[k]);
-    return preamble(c, "uint count;", addition.declarations) + fmt::format(R"(void main() {{
+    const std::string begin = preamble(c, "uint count;", addition.declarations);
+    return begin + fmt::format(R"(void main() {{
     uint index = gl_GlobalInvocationID.x;
     if (index >= count) return;
     uint record = index * {}u;
-{}{}{}}}
+{}{}{}{}}}
 )",
-                                                                           record_words(c) / 4, call(c),
-                                                                           writes, addition.at_end);
+                               record_words(c) / 4, record_reading(c), call(c), writes, addition.at_end);
 }
 
 std::string standalone_source(const Case& c) { return standalone_source(c, Addition()); }
@@ -170,13 +179,13 @@ std::string repeated_source(const Case& c, Repeated what) {
     uint sum = 0u;
     for (uint i = 0u; i < evaluations; ++i) {{
     uint record = ((index + i * {}u) & last) * {}u;
-{}    sum += {};
+{}{}    sum += {};
     }}
     results[index] = sum;
 }}
 )",
-                       repeated_stride, record_words(c) / 4, what == Repeated::calls ? call(c) : "",
-                       fmt::join(words, " + "));
+                       repeated_stride, record_words(c) / 4, record_reading(c),
+                       what == Repeated::calls ? call(c) : "", fmt::join(words, " + "));
 }
 
 namespace {
