@@ -130,7 +130,7 @@ void require_kernels(const std::filesystem::path& kernels) {
 }
 
 std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOptions& options,
-                               const std::function<void(std::size_t)>& done) {
+                               const std::function<void(std::size_t)>& done, WorkerDevice* first) {
     require_kernels(options.kernels);
     const glsl::Sources sources = kernel_sources(options.kernels);
     const std::map<std::string, std::vector<CsvInput>> regressions =
@@ -162,11 +162,12 @@ std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOp
         samples_done += samples;
         if (done) done(samples_done);
     };
-    on_worker_devices(cases.size(), options.jobs, options.device, [&](std::size_t n, WorkerDevice& device) {
+    const auto check_in_turn = [&](std::size_t n, WorkerDevice& device) {
         const std::size_t i = order[n];
         reports[i] = check_one(*cases[i], options, sources, pool.get(), regressions.at(cases[i]->name),
                                device, progress);
-    });
+    };
+    on_worker_devices(cases.size(), options.jobs, options.device, check_in_turn, first);
     return reports;
 }
 

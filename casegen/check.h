@@ -15,6 +15,8 @@
 
 namespace gnomon {
 
+class WorkerDevice;
+
 struct CheckOptions {
     std::filesystem::path kernels; ///< the folder that holds <name>.glsl
     std::filesystem::path pins;    ///< the folder that holds <name>.csv; may be empty
@@ -77,9 +79,11 @@ void require_kernels(const std::filesystem::path& kernels);
 /// Reports in the order of `cases`, the same whatever the number of jobs (but for `nanoseconds`). `done` is
 /// called from worker threads, one at a time, with the number of samples judged so far, of all kernels
 /// together. A kernel that fails does not stop the others. Throws Error for what concerns all of them: no
-/// such folder, no device, a malformed file of pins.
+/// such folder, no device, a malformed file of pins. `first`: a device of `options.device` that is starting
+/// already, for one of the threads; may be null.
 std::vector<CheckReport> check(std::span<const Case* const> cases, const CheckOptions& options,
-                               const std::function<void(std::size_t)>& done = {});
+                               const std::function<void(std::size_t)>& done = {},
+                               WorkerDevice* first = nullptr);
 
 /// "smsr_case_09(p = vec2(0x1.8p-1, 0x0p+0), along_x = 0x1p-1)"; a mask is appended as text.
 std::string format_call(const Case& c, std::span<const std::uint32_t> input, const Mask* mask);

@@ -34,7 +34,9 @@ private:
 
 /// Calls `act(i, device)` once for every i below `count`, in `jobs` threads (0: one per core; never more than
 /// there are calls), which take the next i in turn. What a call throws ends the work and is thrown from here.
+/// `first`, if there is one, serves one of the threads, with options of its own.
 void on_worker_devices(std::size_t count, unsigned jobs, const gpu::DeviceOptions& options,
-                       const std::function<void(std::size_t, WorkerDevice&)>& act);
+                       const std::function<void(std::size_t, WorkerDevice&)>& act,
+                       WorkerDevice* first = nullptr);
 
 } // namespace gnomon

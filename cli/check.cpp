@@ -2,6 +2,7 @@
 #include "casegen/fuzz/chain.h"
 #include "casegen/fuzz/replay.h"
 #include "casegen/pattern.h"
+#include "casegen/worker_device.h"
 #include "cli/commands.h"
 #include "cli/parse.h"
 #include "cli/progress.h"
@@ -26,6 +27,8 @@ struct CheckCommand {
 };
 
 int run(const CheckCommand& options, const Common& common, const std::string& replay) {
+    // A driver takes longer to load than all else for one kernel: it begins before the catalogue is made.
+    WorkerDevice first(common.device);
     const auto is_chain = [](const Case* c) { return fuzz::find_chain(*c) != nullptr; };
     for (const std::string& part : split_patterns(options.pattern))
         if (const std::vector<const Case*> named = fuzz::find_subjects(part);
@@ -52,7 +55,8 @@ int run(const CheckCommand& options, const Common& common, const std::string& re
         Progress progress("checking");
         const std::size_t total = samples_asked_for(cases, check_options);
         if (!cases.empty())
-            reports = check(cases, check_options, [&](std::size_t done) { progress.show(done, total); });
+            reports = check(
+                cases, check_options, [&](std::size_t done) { progress.show(done, total); }, &first);
         for (CheckReport& report : fuzz::replay(chains, check_options)) reports.push_back(std::move(report));
     }
     require_no_validation_messages();
