@@ -33,27 +33,27 @@ std::string trigonometry_source(Trigonometry trigonometry) {
 #include "integral/elementary/exp.glsl"
 #include "integral/elementary/sin.glsl"
 #include "integral/elementary/turn.glsl"
-float sine(float x) { return integral_elementary_sin(x); }
-float cosine(float x) { return integral_elementary_cos(x); }
-vec2 turn(float x) { return integral_elementary_turn(x); }
-float exponential(float x) { return integral_elementary_exp(x); }
+float sine(const float x) { return integral_elementary_sin(x); }
+float cosine(const float x) { return integral_elementary_cos(x); }
+vec2 turn(const float x) { return integral_elementary_turn(x); }
+float exponential(const float x) { return integral_elementary_exp(x); }
 )";
     case Trigonometry::built_in:
-        return R"(float sine(float x) { return sin(x); }
-float cosine(float x) { return cos(x); }
-vec2 turn(float x) { return vec2(cos(x), sin(x)); }
-float exponential(float x) { return exp(x); }
+        return R"(float sine(const float x) { return sin(x); }
+float cosine(const float x) { return cos(x); }
+vec2 turn(const float x) { return vec2(cos(x), sin(x)); }
+float exponential(const float x) { return exp(x); }
 )";
     case Trigonometry::coarse:
         break;
     }
     // Rounded to multiples of 2⁻¹⁰, so that the error is anything up to 2⁻¹¹; the largest error of exp that
     // is allowed.
-    return R"(float coarse(float x) { return floor(x * 1024.0 + 0.5) / 1024.0; }
-float sine(float x) { return coarse(sin(x)); }
-float cosine(float x) { return coarse(cos(x)); }
-vec2 turn(float x) { return vec2(cosine(x), sine(x)); }
-float exponential(float x) { return exp(x) * (1.0 + (3.0 + 2.0 * abs(x)) * 1.1920929e-7); }
+    return R"(float coarse(const float x) { return floor(x * 1024.0 + 0.5) / 1024.0; }
+float sine(const float x) { return coarse(sin(x)); }
+float cosine(const float x) { return coarse(cos(x)); }
+vec2 turn(const float x) { return vec2(cosine(x), sine(x)); }
+float exponential(const float x) { return exp(x) * (1.0 + (3.0 + 2.0 * abs(x)) * 1.1920929e-7); }
 )";
 }
 

@@ -1,9 +1,4 @@
 // cos x, the same bits on every device. Beyond |x| = 65536: 1.   [Taylor, Cody and Waite]
 #include "integral/elementary/reduce.glslh"
 
-float integral_elementary_cos(float x) {
-    Quarter q = reduce(x);
-    // Both, and one of them chosen: a branch costs more.
-    float c = cosine_near_0(q.rest), s = -sine_near_0(q.rest), value = (q.quadrant & 1u) == 0u ? c : s, opposite = -value;
-    return (q.quadrant & 2u) == 0u ? value : opposite;
-}
+float integral_elementary_cos(float x) { return sine_ahead(x, 1u); }

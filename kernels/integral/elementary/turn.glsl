@@ -2,8 +2,9 @@
 #include "integral/elementary/reduce.glslh"
 
 vec2 integral_elementary_turn(float x) {
-    Quarter q = reduce(x);
-    float c = cosine_near_0(q.rest), s = sine_near_0(q.rest);
-    vec2 turned = (q.quadrant & 1u) == 0u ? vec2(c, s) : vec2(-s, c);
-    return (q.quadrant & 2u) == 0u ? turned : -turned;
+    float quarters = quarters_in(x), rest = rest_of(x, quarters);
+    uint quadrant = uint(int(quarters)); // its last two bits count
+    float c = cosine_near_0(rest), s = sine_near_0(rest);
+    vec2 turned = (quadrant & 1u) == 0u ? vec2(c, s) : vec2(-s, c);
+    return (quadrant & 2u) == 0u ? turned : -turned;
 }

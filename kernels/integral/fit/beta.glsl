@@ -4,9 +4,12 @@
 #include "integral/fit/lobe.glslh"
 #include "integral/fit/r1.glsl"
 
+float fit_beta(Lobe lobe, float lambda) {
+    float low = lobe.peak * exponential(-lobe.m) * lambda * slope_series(lobe.m), high = fit_r1(lobe) / lobe.q;
+    return lobe.m <= 1.0 ? low : high;
+}
+
 float integral_fit_beta(vec2 versines, float lambda, float mu) {
     if (!is_answered(versines, lambda, mu)) return 0.0;
-    Lobe lobe = lobe_on(versines, lambda, mu);
-    float low = lobe.peak * exponential(-lobe.m) * lambda * slope_series(lobe.m);
-    return bounded(lobe.m <= 1.0 ? low : integral_fit_r1(versines, lambda, mu) / lobe.q);
+    return bounded(fit_beta(lobe_on(versines, lambda, mu), lambda));
 }

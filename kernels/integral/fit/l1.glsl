@@ -79,7 +79,7 @@ float integral_fit_l1(vec2 versines, float lambda, float mu) {
     if (!is_answered(versines, lambda, mu)) return 0.0;
     Lobe lobe = lobe_on(versines, lambda, mu);
     if (lobe.m == 0.0) return 0.0;
-    float low = lobe.q * abs(integral_fit_r0(versines, lambda, mu)) * l1_by_harmonics(min(lobe.m, 3.0));
+    float low = lobe.q * abs(fit_r0(lobe)) * l1_by_harmonics(min(lobe.m, 3.0));
     float high = lobe.q * abs(lobe.peak) * l1_by_antiderivative(max(lobe.m, 3.0));
     return bounded(lobe.m <= 3.0 ? low : high);
 }

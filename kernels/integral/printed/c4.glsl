@@ -4,5 +4,6 @@
 
 float integral_printed_c4(float phi0, float phi1, float p, float s, float t) {
     float limit = 0.5 * ((phi1 - phi0) * cosine(p - t) - 0.5 * (sine(2.0 * phi1 + p + t) - sine(2.0 * phi0 + p + t)));
-    return s == 1.0 ? limit : integral_as_printed_c4(phi0, phi1, p, s, t);
+    float elsewhere = integral_as_printed_c4(phi0, phi1, p, s, t); // named first, or glslang makes a branch of it
+    return s == 1.0 ? limit : elsewhere;
 }

@@ -4,9 +4,13 @@
 #include "integral/sinc/a0.glsl"
 #include "integral/sinc/a1.glsl"
 
-float integral_sinc_a(float phi0, float phi1, float theta0, float k, float b, vec3 n) {
-    if (!(is_finite(vec3(phi0, phi1, theta0)) && is_finite(vec2(k, b)) && is_finite(n))) return 0.0;
+float sinc_a(float phi0, float phi1, float theta0, float k, float b, vec3 n) {
     // x first: (n_x cosφ + n_y sinφ) = u sin(φ + τ).
     float u = length(n.xy), tau = atan(n.x, n.y);
-    return bounded(u * integral_sinc_a0(phi0, phi1, theta0, k, b, tau) + n.z * integral_sinc_a1(phi0, phi1, theta0, k, b));
+    return u * sinc_a0(phi0, phi1, theta0, k, b, tau) + n.z * sinc_a1(phi0, phi1, theta0, k, b);
+}
+
+float integral_sinc_a(float phi0, float phi1, float theta0, float k, float b, vec3 n) {
+    if (!(is_finite(vec3(phi0, phi1, theta0)) && is_finite(vec2(k, b)) && is_finite(n))) return 0.0;
+    return bounded(sinc_a(phi0, phi1, theta0, k, b, n));
 }

@@ -3,15 +3,19 @@
 #include "integral/guard.glslh"
 #include "integral/sinc/b0.glsl"
 #include "integral/sinc/b1.glsl"
-#include "integral/sinc/b2.glsl"
 #include "integral/sinc/b3.glsl"
+
+float sinc_b(float phi0, float phi1, float theta0, float k, float b, vec3 n, vec3 p) {
+    // x first: (p_x cosφ + p_y sinφ) = u sin(φ + γ). B1 is asked for such a wave of p, weighed by n_z, B2 for one of n,
+    // weighed by p_z; they are one integral but for that, and the two waves are one.
+    float u_p = length(p.xy), gamma = atan(p.x, p.y), u_n = length(n.xy), tau = atan(n.x, n.y);
+    vec2 both = n.z * p.xy + p.z * n.xy;
+    return u_p * u_n * sinc_b0(phi0, phi1, theta0, k, b, gamma, tau) +
+           length(both) * sinc_b1(phi0, phi1, theta0, k, b, atan(both.x, both.y)) +
+           p.z * n.z * sinc_b3(phi0, phi1, theta0, k, b);
+}
 
 float integral_sinc_b(float phi0, float phi1, float theta0, float k, float b, vec3 n, vec3 p) {
     if (!(is_finite(vec3(phi0, phi1, theta0)) && is_finite(vec2(k, b)) && is_finite(n) && is_finite(p))) return 0.0;
-    // x first: (p_x cosφ + p_y sinφ) = u sin(φ + γ).
-    float u_p = length(p.xy), gamma = atan(p.x, p.y), u_n = length(n.xy), tau = atan(n.x, n.y);
-    return bounded(u_p * u_n * integral_sinc_b0(phi0, phi1, theta0, k, b, gamma, tau) +
-                   u_p * n.z * integral_sinc_b1(phi0, phi1, theta0, k, b, gamma) +
-                   p.z * u_n * integral_sinc_b2(phi0, phi1, theta0, k, b, tau) +
-                   p.z * n.z * integral_sinc_b3(phi0, phi1, theta0, k, b));
+    return bounded(sinc_b(phi0, phi1, theta0, k, b, n, p));
 }

@@ -2,13 +2,19 @@
 // Equation 12, B0]
 // A reversed interval negates the result; inputs that are not finite: 0, or the largest float if they overflow.
 #include "integral/guard.glslh"
-#include "integral/sinc/c4.glsl"
 #include "integral/sinc/c5.glsl"
+
+float sinc_b0(float phi0, float phi1, float theta0, float k, float b, float gamma, float tau) {
+    float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
+    // sin(φ + γ) sin(φ + τ): C4 with s = 1, of which one wave does not turn.
+    float flat_waves = h * cosine(gamma - tau) - 0.5 * wave_of_cos(m, h, 2.0, gamma + tau);
+    float c = cosine(theta0); // cos 3θ - 9 cosθ is 4 cosθ (cos²θ - 3)
+    return (sinc_c5(phi0, phi1, gamma, tau, 3.0 * k, 3.0 * b) - 9.0 * sinc_c5(phi0, phi1, gamma, tau, k, b) -
+            4.0 * c * (c * c - 3.0) * flat_waves) /
+           12.0;
+}
 
 float integral_sinc_b0(float phi0, float phi1, float theta0, float k, float b, float gamma, float tau) {
     if (!(is_finite(vec3(phi0, phi1, theta0)) && is_finite(vec2(k, b)) && is_finite(vec2(gamma, tau)))) return 0.0;
-    return bounded((integral_sinc_c5(phi0, phi1, gamma, tau, 3.0 * k, 3.0 * b) -
-                    9.0 * integral_sinc_c5(phi0, phi1, gamma, tau, k, b) -
-                    (cosine(3.0 * theta0) - 9.0 * cosine(theta0)) * integral_sinc_c4(phi0, phi1, gamma, 1.0, tau)) /
-                   12.0);
+    return bounded(sinc_b0(phi0, phi1, theta0, k, b, gamma, tau));
 }

@@ -4,8 +4,7 @@
 #include "integral/guard.glslh"
 #include "integral/sinc/wave.glslh"
 
-float integral_sinc_b3(float phi0, float phi1, float theta0, float k, float b) {
-    if (!(is_finite(vec3(phi0, phi1, theta0)) && is_finite(vec2(k, b)))) return 0.0;
+float sinc_b3(float phi0, float phi1, float theta0, float k, float b) {
     float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
     // cos³θ0 - cos³θ1 in the middle, its first factor as a product of sines, and what the slope adds to its mean.
     float middle = k * m + b, c0 = cosine(theta0), cm = cosine(middle);
@@ -13,5 +12,10 @@ float integral_sinc_b3(float phi0, float phi1, float theta0, float k, float b) {
     precise float sum = 2.0 * drop * (cm * cm + cm * c0 + c0 * c0) +
                         0.5 * (integral_elementary_sinc_deficit(3.0 * k * h) * cosine(3.0 * middle) +
                                3.0 * integral_elementary_sinc_deficit(k * h) * cm);
-    return bounded(h * sum / 3.0);
+    return h * sum / 3.0;
+}
+
+float integral_sinc_b3(float phi0, float phi1, float theta0, float k, float b) {
+    if (!(is_finite(vec3(phi0, phi1, theta0)) && is_finite(vec2(k, b)))) return 0.0;
+    return bounded(sinc_b3(phi0, phi1, theta0, k, b));
 }

@@ -3,8 +3,12 @@
 #include "integral/guard.glslh"
 #include "integral/sinc/wave.glslh"
 
+float sinc_c1(float phi0, float phi1, float p) {
+    float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
+    return wave_of_sin(m, h, 1.0, p);
+}
+
 float integral_sinc_c1(float phi0, float phi1, float p) {
     if (!is_finite(vec3(phi0, phi1, p))) return 0.0;
-    float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
-    return bounded(wave_of_sin(m, h, 1.0, p));
+    return bounded(sinc_c1(phi0, phi1, p));
 }

@@ -4,8 +4,7 @@
 #include "integral/guard.glslh"
 #include "integral/sinc/wave.glslh"
 
-float integral_sinc_c3(float phi0, float phi1, float p) {
-    if (!is_finite(vec3(phi0, phi1, p))) return 0.0;
+float sinc_c3(float phi0, float phi1, float p) {
     float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
     // sin h - h cos h is h³/3 near 0, and the difference would lose it. Taylor: at 1 the first term left out is 1e-9.
     float z = h * h;
@@ -14,5 +13,10 @@ float integral_sinc_c3(float phi0, float phi1, float p) {
     vec2 turned = turn(h);
     float difference = turned.y - h * turned.x, odd = abs(h) < 1.0 ? series : difference;
     precise float sum = m * wave_of_sin(m, h, 1.0, p) + 2.0 * cosine(m + p) * odd;
-    return bounded(sum);
+    return sum;
+}
+
+float integral_sinc_c3(float phi0, float phi1, float p) {
+    if (!is_finite(vec3(phi0, phi1, p))) return 0.0;
+    return bounded(sinc_c3(phi0, phi1, p));
 }

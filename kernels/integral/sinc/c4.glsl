@@ -4,8 +4,12 @@
 #include "integral/guard.glslh"
 #include "integral/sinc/wave.glslh"
 
+float sinc_c4(float phi0, float phi1, float p, float s, float t) {
+    float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
+    return 0.5 * (wave_of_cos(m, h, 1.0 - s, p - t) - wave_of_cos(m, h, 1.0 + s, p + t));
+}
+
 float integral_sinc_c4(float phi0, float phi1, float p, float s, float t) {
     if (!(is_finite(vec3(phi0, phi1, p)) && is_finite(vec2(s, t)))) return 0.0;
-    float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
-    return bounded(0.5 * (wave_of_cos(m, h, 1.0 - s, p - t) - wave_of_cos(m, h, 1.0 + s, p + t)));
+    return bounded(sinc_c4(phi0, phi1, p, s, t));
 }

@@ -4,9 +4,13 @@
 #include "integral/guard.glslh"
 #include "integral/sinc/wave.glslh"
 
+float sinc_c5(float phi0, float phi1, float p, float q, float s, float t) {
+    float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
+    return 0.5 * (cosine(p - q) * wave_of_cos(m, h, s, t) - 0.5 * wave_of_cos(m, h, s - 2.0, t - p - q) -
+                  0.5 * wave_of_cos(m, h, s + 2.0, t + p + q));
+}
+
 float integral_sinc_c5(float phi0, float phi1, float p, float q, float s, float t) {
     if (!(is_finite(vec3(phi0, phi1, p)) && is_finite(vec3(q, s, t)))) return 0.0;
-    float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
-    return bounded(0.5 * (cosine(p - q) * wave_of_cos(m, h, s, t) - 0.5 * wave_of_cos(m, h, s - 2.0, t - p - q) -
-                          0.5 * wave_of_cos(m, h, s + 2.0, t + p + q)));
+    return bounded(sinc_c5(phi0, phi1, p, q, s, t));
 }

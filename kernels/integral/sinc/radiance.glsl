@@ -16,7 +16,8 @@ float integral_sinc_radiance(float phi, float half_width, float theta0, vec2 ris
         return 0.0;
     PrintedCell cell = printed_cell(phi, half_width, theta0, rise, versines);
     if (half_width == 0.0) return 0.0;
-    float alpha = integral_fit_alpha(versines, lambda, mu), beta = integral_fit_beta(versines, lambda, mu);
-    return bounded(alpha * integral_sinc_a(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n) +
-                   beta * integral_sinc_b(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n, unit_vector(p)));
+    Lobe lobe = lobe_on(versines, lambda, mu);
+    float beta = fit_beta(lobe, lambda), alpha = fit_alpha(lobe, beta, versines);
+    return bounded(alpha * sinc_a(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n) +
+                   beta * sinc_b(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n, unit_vector(p)));
 }
