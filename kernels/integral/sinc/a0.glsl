@@ -7,8 +7,12 @@
 #include "integral/sinc/c4.glsl"
 
 float sinc_a0(float phi0, float phi1, float theta0, float k, float b, float tau) {
-    return 0.25 * (2.0 * k * sinc_c3(phi0, phi1, tau) - sinc_c4(phi0, phi1, tau, 2.0 * k, 2.0 * b) +
-                   (2.0 * b - 2.0 * theta0 + sine(2.0 * theta0)) * sinc_c1(phi0, phi1, tau));
+    float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
+    // C3 is m C1 and an odd part. m may be many turns, and b takes off what k m puts on: together they are how far the
+    // boundary lies from θ0 in the middle.
+    float rise = k * m + b - theta0;
+    return 0.25 * (4.0 * k * cosine(m + tau) * odd_part(h) - sinc_c4(phi0, phi1, tau, 2.0 * k, 2.0 * b) +
+                   (2.0 * rise + sine(2.0 * theta0)) * sinc_c1(phi0, phi1, tau));
 }
 
 float integral_sinc_a0(float phi0, float phi1, float theta0, float k, float b, float tau) {
