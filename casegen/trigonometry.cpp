@@ -28,15 +28,15 @@ std::string to_string(Trigonometry trigonometry) {
 
 std::string trigonometry_source(Trigonometry trigonometry) {
     switch (trigonometry) {
-    case Trigonometry::portable:
+    case Trigonometry::portable: // macros: a driver would inline functions at every one of a hundred calls
         return R"(#include "integral/elementary/cos.glsl"
 #include "integral/elementary/exp.glsl"
 #include "integral/elementary/sin.glsl"
 #include "integral/elementary/turn.glsl"
-float sine(const float x) { return integral_elementary_sin(x); }
-float cosine(const float x) { return integral_elementary_cos(x); }
-vec2 turn(const float x) { return integral_elementary_turn(x); }
-float exponential(const float x) { return integral_elementary_exp(x); }
+#define sine(x) integral_elementary_sin(x)
+#define cosine(x) integral_elementary_cos(x)
+#define turn(x) integral_elementary_turn(x)
+#define exponential(x) integral_elementary_exp(x)
 )";
     case Trigonometry::built_in:
         return R"(float sine(const float x) { return sin(x); }
