@@ -28,7 +28,7 @@ std::string to_string(Trigonometry trigonometry) {
 
 std::string trigonometry_source(Trigonometry trigonometry) {
     switch (trigonometry) {
-    case Trigonometry::portable: // macros: a driver would inline functions at every one of a hundred calls
+    case Trigonometry::portable: // macros: one level of calls less for a driver to inline
         return R"(#include "integral/elementary/cos.glsl"
 #include "integral/elementary/exp.glsl"
 #include "integral/elementary/sin.glsl"

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace gnomon::cli {
 namespace {
@@ -28,7 +29,7 @@ struct CheckCommand {
 
 int run(const CheckCommand& options, const Common& common, const std::string& replay) {
     // A driver takes longer to load than all else for one kernel: it begins before the catalogue is made.
-    WorkerDevice first(common.device);
+    std::optional<WorkerDevice> first(common.device);
     const auto is_chain = [](const Case* c) { return fuzz::find_chain(*c) != nullptr; };
     for (const std::string& part : split_patterns(options.pattern))
         if (const std::vector<const Case*> named = fuzz::find_subjects(part);
@@ -56,8 +57,9 @@ int run(const CheckCommand& options, const Common& common, const std::string& re
         const std::size_t total = samples_asked_for(cases, check_options);
         if (!cases.empty())
             reports = check(
-                cases, check_options, [&](std::size_t done) { progress.show(done, total); }, &first);
+                cases, check_options, [&](std::size_t done) { progress.show(done, total); }, &*first);
         for (CheckReport& report : fuzz::replay(chains, check_options)) reports.push_back(std::move(report));
+        first.reset(); // its farewell too is heard by the validation layer
     }
     require_no_validation_messages();
     if (options.format == "json")

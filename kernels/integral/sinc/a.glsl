@@ -5,8 +5,7 @@
 #include "integral/sinc/a1.glsl"
 
 float sinc_a(float phi0, float phi1, float theta0, float k, float b, vec3 n) {
-    // x first: (n_x cosφ + n_y sinφ) = u sin(φ + τ).
-    float u = length(n.xy), tau = atan(n.x, n.y);
+    float u = length(n.xy), tau = phase_of(n.xy);
     return u * sinc_a0(phi0, phi1, theta0, k, b, tau) + n.z * sinc_a1(phi0, phi1, theta0, k, b);
 }
 

@@ -6,12 +6,12 @@
 #include "integral/sinc/b3.glsl"
 
 float sinc_b(float phi0, float phi1, float theta0, float k, float b, vec3 n, vec3 p) {
-    // x first: (p_x cosφ + p_y sinφ) = u sin(φ + γ). B1 is asked for such a wave of p, weighed by n_z, B2 for one of n,
-    // weighed by p_z; they are one integral but for that, and the two waves are one.
-    float u_p = length(p.xy), gamma = atan(p.x, p.y), u_n = length(n.xy), tau = atan(n.x, n.y);
-    vec2 both = n.z * p.xy + p.z * n.xy;
+    float u_p = length(p.xy), gamma = phase_of(p.xy), u_n = length(n.xy), tau = phase_of(n.xy);
+    // B1 is asked for p's wave in φ, weighed by n_z, and B2 for n's, weighed by p_z. They are the same integral
+    // otherwise, and the sum of two waves is one.
+    precise vec2 both = n.z * p.xy + p.z * n.xy;
     return u_p * u_n * sinc_b0(phi0, phi1, theta0, k, b, gamma, tau) +
-           length(both) * sinc_b1(phi0, phi1, theta0, k, b, atan(both.x, both.y)) +
+           length(both) * sinc_b1(phi0, phi1, theta0, k, b, phase_of(both)) +
            p.z * n.z * sinc_b3(phi0, phi1, theta0, k, b);
 }
 

@@ -7,10 +7,10 @@
 float sinc_b0(float phi0, float phi1, float theta0, float k, float b, float gamma, float tau) {
     float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
     // sin(φ + γ) sin(φ + τ): C4 with s = 1, of which one wave does not turn.
-    float flat_waves = h * cosine(gamma - tau) - 0.5 * wave_of_cos(m, h, 2.0, gamma + tau);
+    float of_sines = h * cosine(gamma - tau) - 0.5 * wave_of_cos(m, h, 2.0, gamma + tau);
     float c = cosine(theta0); // cos 3θ - 9 cosθ is 4 cosθ (cos²θ - 3)
     return (sinc_c5(phi0, phi1, gamma, tau, 3.0 * k, 3.0 * b) - 9.0 * sinc_c5(phi0, phi1, gamma, tau, k, b) -
-            4.0 * c * (c * c - 3.0) * flat_waves) /
+            4.0 * c * (c * c - 3.0) * of_sines) /
            12.0;
 }
 

@@ -3,12 +3,8 @@
 #include "integral/guard.glslh"
 #include "integral/sinc/wave.glslh"
 
-float sinc_c2(float phi0, float phi1, float s, float t) {
-    float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
-    return wave_of_cos(m, h, s, t);
-}
-
 float integral_sinc_c2(float phi0, float phi1, float s, float t) {
     if (!(is_finite(vec2(phi0, phi1)) && is_finite(vec2(s, t)))) return 0.0;
-    return bounded(sinc_c2(phi0, phi1, s, t));
+    float m = 0.5 * (phi0 + phi1), h = 0.5 * (phi1 - phi0);
+    return bounded(wave_of_cos(m, h, s, t));
 }
