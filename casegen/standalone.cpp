@@ -206,6 +206,8 @@ glsl::Spirv compile_text(const Case& c, const std::string& text, const std::stri
         words = glsl::compile_expanded(text, standalone_name, glsl::Stage::compute, kept);
     } catch (const CompileError& error) {
         const std::string message = error.what();
+        if (const std::size_t at = message.find("glslang made invalid SPIR-V"); at != std::string::npos)
+            throw CompileError("{}:1: {}", file, message.substr(at));
         const bool linking = message.find("No function definition (body) found") != std::string::npos;
         if (linking && message.find("lit(") != std::string::npos)
             throw CompileError("{}:1: calls lit(), but its table entry takes no mask", file);

@@ -161,6 +161,12 @@ TEST(kernels_that_fail, a_wrong_signature_is_told_with_the_declared_one) {
                                                HasSubstr("float smsr_case_09(vec2 p, float along_x)")));
 }
 
+TEST(kernels_that_fail, invalid_spirv_is_told_as_such_and_by_names) {
+    EXPECT_THAT(compile_error("invalid_spirv"),
+                AllOf(StartsWith("kernels/smsr/case_09.glsl:1: glslang made invalid SPIR-V"),
+                      HasSubstr("OpFAdd %float")));
+}
+
 TEST(kernels_that_fail, a_main_of_its_own_is_refused) {
     EXPECT_THAT(compile_error("own_main"), StartsWith("kernels/smsr/case_09.glsl:"));
 }
