@@ -2,9 +2,11 @@
 // terms over (λq)².   [Appendix A, Equation 1]
 #include "integral/fit_printed/lobe.glslh"
 
+float printed_r1(PrintedLobe lobe, float lambda) {
+    precise float difference = lambda * lobe.q * lobe.cosh - lobe.sinh;
+    return 3.0 * lobe.c * difference / (lambda * lambda * lobe.q * lobe.q);
+}
+
 float integral_fit_printed_r1(vec2 ends, float lambda, float mu) {
-    float p = (ends.x + ends.y) / 2.0, q = (ends.y - ends.x) / 2.0;
-    float c = mu * exponential(lambda * (p - 1.0));
-    precise float difference = lambda * q * hyperbolic_cosine(lambda * q) - hyperbolic_sine(lambda * q);
-    return 3.0 * c * difference / (lambda * lambda * q * q);
+    return printed_r1(printed_lobe(ends, lambda, mu), lambda);
 }

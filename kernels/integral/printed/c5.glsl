@@ -2,11 +2,12 @@
 // [Appendix B, Equation 7, C5]
 #include "integral/trigonometry.glslh"
 
-float c5_antiderivative(float phi, float p, float q, float s, float t) {
-    return sine(s * phi + t) * cosine(p - q) / (2.0 * s) - sine((s - 2.0) * phi + t - p - q) / (4.0 * (s - 2.0)) -
+float c5_antiderivative(float phi, float p, float q, float s, float t, float still) {
+    return sine(s * phi + t) * still / (2.0 * s) - sine((s - 2.0) * phi + t - p - q) / (4.0 * (s - 2.0)) -
            sine((s + 2.0) * phi + t + p + q) / (4.0 * (s + 2.0));
 }
 
 float integral_printed_c5(float phi0, float phi1, float p, float q, float s, float t) {
-    return c5_antiderivative(phi1, p, q, s, t) - c5_antiderivative(phi0, p, q, s, t);
+    float still = cosine(p - q); // the part of sin(φ + p) sin(φ + q) that does not turn
+    return c5_antiderivative(phi1, p, q, s, t, still) - c5_antiderivative(phi0, p, q, s, t, still);
 }

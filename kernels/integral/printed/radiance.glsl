@@ -10,8 +10,9 @@
 float integral_printed_radiance(float phi, float half_width, float theta0, vec2 rise, vec3 n, vec3 p, float lambda,
                                 float mu, vec2 versines) {
     PrintedCell cell = printed_cell(phi, half_width, theta0, rise, versines);
-    float alpha = integral_fit_printed_alpha(cell.ends, lambda, mu);
-    float beta = integral_fit_printed_beta(cell.ends, lambda, mu);
+    PrintedLobe lobe = printed_lobe(cell.ends, lambda, mu);
+    float r1 = printed_r1(lobe, lambda);
+    float alpha = printed_alpha(cell.ends, printed_r0(lobe, lambda), r1), beta = printed_beta(cell.ends, r1);
     return alpha * integral_printed_a(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n) +
            beta * integral_printed_b(cell.phi0, cell.phi1, theta0, cell.k, cell.b, n, unit_vector(p));
 }
