@@ -58,7 +58,8 @@ int run(const CheckCommand& options, const Common& common, const std::string& re
         if (!cases.empty())
             reports = check(
                 cases, check_options, [&](std::size_t done) { progress.show(done, total); }, &*first);
-        for (CheckReport& report : fuzz::replay(chains, check_options)) reports.push_back(std::move(report));
+        for (CheckReport& report : fuzz::replay(chains, check_options, *first))
+            reports.push_back(std::move(report));
         first.reset(); // its farewell too is heard by the validation layer
     }
     require_no_validation_messages();

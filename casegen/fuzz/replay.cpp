@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 namespace gnomon::fuzz {
 namespace {
 
@@ -41,24 +39,21 @@ std::vector<const Case*> with_regressions(std::span<const Case* const> chains,
     return found;
 }
 
-std::vector<CheckReport> replay(std::span<const Case* const> chains, const CheckOptions& options) {
+std::vector<CheckReport> replay(std::span<const Case* const> chains, const CheckOptions& options,
+                                WorkerDevice& device) {
     std::vector<CheckReport> reports;
     if (chains.empty()) return reports;
     const glsl::Sources sources = kernel_sources(options.kernels);
     const auto on_file = load_regressions(options.regressions);
-    gpu::DeviceOptions isolated = options.device;
-    isolated.isolated = true;
-    std::optional<gpu::Device> device;
     for (const Case* c : chains) {
-        if (!device) device.emplace(isolated);
         const Chain& chain = *find_chain(*c);
         try {
-            reports.push_back(replay_one(chain, on_file.at(c->name), chain.judge(sources, *device)));
+            reports.push_back(replay_one(chain, on_file.at(c->name), chain.judge(sources, device.get())));
         } catch (const CompileError& error) {
             reports.push_back({.kernel = c, .verdict = Verdict::compile_error, .message = error.what()});
         } catch (const KernelTimeout& error) {
             reports.push_back({.kernel = c, .verdict = Verdict::timeout, .message = error.what()});
-            device.reset();
+            device.restart();
         }
     }
     return reports;

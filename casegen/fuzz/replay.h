@@ -2,6 +2,7 @@
 #pragma once
 
 #include "casegen/check.h"
+#include "casegen/worker_device.h"
 
 #include <span>
 #include <vector>
@@ -12,8 +13,9 @@ namespace gnomon::fuzz {
 std::vector<const Case*> with_regressions(std::span<const Case* const> chains,
                                           const std::filesystem::path& regressions);
 
-/// A report for each chain over all of its regressions, one after the other on a device of their own; none
-/// is made without chains. Throws Error as check does.
-std::vector<CheckReport> replay(std::span<const Case* const> chains, const CheckOptions& options);
+/// A report for each chain over all of its regressions, one after the other on `device`, which has been
+/// restarted if one of them hung it. Throws Error as check does.
+std::vector<CheckReport> replay(std::span<const Case* const> chains, const CheckOptions& options,
+                                WorkerDevice& device);
 
 } // namespace gnomon::fuzz
