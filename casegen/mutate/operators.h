@@ -12,7 +12,7 @@ namespace gnomon::mutate {
 enum class Operator {
     constant,   ///< a number becomes another, true becomes false
     comparison, ///< < becomes <=, or >
-    arithmetic, ///< + becomes -, * becomes /, ++ becomes --
+    arithmetic, ///< + becomes -, * becomes /, ++ becomes --, or += 2 in a for
     bits,       ///< & becomes |, << becomes >>
     sign,       ///< a minus is dropped, or put before a whole value
     logic,      ///< && becomes ||, a ! or ~ is dropped

@@ -72,6 +72,11 @@ bool Parts::is_of_loop(const Value& condition) const {
     return std::ranges::find(loops_, condition) != loops_.end();
 }
 
+bool Parts::is_of_step(std::size_t token) const {
+    return std::ranges::any_of(
+        steps_, [token](const Value& step) { return token >= step.begin && token < step.end; });
+}
+
 /// Outside of functions and blocks: `type name = value;`.
 void Parts::find_declarations(const std::vector<glsl::Function>& functions) {
     auto function = functions.begin();
@@ -124,6 +129,7 @@ std::size_t Parts::statement(std::size_t begin, std::size_t end, const glsl::Fun
             conditions_.push_back({first + 1, second});
             loops_.push_back({first + 1, second});
         }
+        steps_.push_back({second + 1, behind - 1});
         return statement(behind, end, function);
     }
     if (token.is("do")) return statement(begin + 1, end, function); // its while stands for itself

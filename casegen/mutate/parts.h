@@ -56,6 +56,8 @@ public:
     const std::vector<Value>& values() const { return values_; } ///< that are assigned or returned, whole
     const std::vector<Value>& conditions() const { return conditions_; } ///< of ifs and loops
     bool is_of_loop(const Value& condition) const;
+    /// Whether the token is of what a `for` does after each of its rounds.
+    bool is_of_step(std::size_t token) const;
     const std::vector<Ternary>& ternaries() const { return ternaries_; }
     const std::vector<Call>& calls() const { return calls_; }
     /// Statements without which a function may still compile: all but declarations and its last return.
@@ -72,7 +74,7 @@ private:
 
     std::vector<glsl::Token> tokens_;
     std::vector<Region> regions_;
-    std::vector<Value> values_, conditions_, loops_, droppable_;
+    std::vector<Value> values_, conditions_, loops_, steps_, droppable_;
     std::vector<Ternary> ternaries_;
     std::vector<Call> calls_;
     std::vector<Return> returns_;

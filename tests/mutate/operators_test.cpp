@@ -73,6 +73,19 @@ TEST(mutations, of_conditions_negate_take_and_leave_them) {
     EXPECT_THAT(changes(text, "statement"), ElementsAre("a = 2.0; -> ;", "a += a; -> ;", "return 3.0; -> ;"));
 }
 
+TEST(mutations, of_a_loop_leave_it_an_end) {
+    const auto of = [](const char* step) {
+        return changes(fmt::format("int f(int a) {{ for (int i = 0; i < 9; {}) ++a; return a; }}", step),
+                       "arithmetic");
+    };
+    EXPECT_THAT(of("++i"), ElementsAre("++i -> i += 2", "++ -> --"));
+    EXPECT_THAT(of("i++"), ElementsAre("i++ -> i += 2", "++ -> --"));
+    EXPECT_THAT(of("--i"), ElementsAre("--i -> i -= 2", "++ -> --"));
+    EXPECT_THAT(of("++i, a++"), ElementsAre("++i -> i += 2", "a++ -> a += 2", "++ -> --"));
+    EXPECT_THAT(of("i += 2"), ElementsAre("++ -> --"));
+    EXPECT_THAT(of(""), ElementsAre("++ -> --"));
+}
+
 TEST(mutations, of_nested_choices_exchange_the_right_arms) {
     const std::string_view text = "float f(bool a, bool b) { return a ? b ? 1.0 : 2.0 : b ? 3.0 : 4.0; }";
     EXPECT_THAT(changes(text, "condition"),
