@@ -1,12 +1,12 @@
 #include "cli/app.h"
 
+#include "cli/parse.h"
 #include "runtime/error.h"
 #include "runtime/glsl/compiler.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 
 namespace gnomon::cli {
@@ -69,12 +69,7 @@ std::unique_ptr<CLI::App> make_app(Common& common, int& exit_code, std::string_v
     app.add_flag("--validation", common.device.validation,
                  "turn Vulkan's validation layer on; any message is an error");
     app.add_option("--time-limit", common.device.time_limit, "seconds that one dispatch may take")
-        ->check(CLI::Validator(
-            [](std::string& text) {
-                const double limit = std::strtod(text.c_str(), nullptr);
-                return limit >= 0.001 && limit <= 1e6 ? "" : text + " is not between 0.001 and 1000000";
-            },
-            "SECONDS"))
+        ->check(number_from(0.001, 1e6))
         ->capture_default_str();
 
     app.parse_complete_callback([&app, &common] {

@@ -300,8 +300,8 @@ void run(const CaptureCommand& options, const Common& common, const std::string&
     const Case& c = *captured.kernel;
     require_no_validation_messages();
 
-    std::string replay = fmt::format("gnomon eval {} --in '{}' --expect captured{}", c.name,
-                                     options.out.string(), common_options);
+    std::string replay = fmt::format("gnomon eval {} --in {} --expect captured{}", c.name,
+                                     in_quotes(options.out.string()), common_options);
     for (const std::string& reading : options.readings) replay += " --reading " + reading;
     const std::string text = captured_csv(captured, settings.width, calls.what + "\n" + replay);
     write_file(options.out, text);

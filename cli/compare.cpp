@@ -59,7 +59,7 @@ int run(const CompareCommand& options, const Common& common, bool limited, bool 
         throw Error("--kernel {}: neither {} nor {} is a file; a PATTERN behind them chooses kernels",
                     options.kernel, options.a, options.b);
     for (versus::Side* side : {&a, &b}) {
-        const std::string kernels = fmt::format(" --kernels '{}'", common.kernels.string());
+        const std::string kernels = fmt::format(" --kernels {}", in_quotes(common.kernels.string()));
         if (!kernels_given && side->options.starts_with(kernels)) side->options.erase(0, kernels.size());
         side->options += device;
     }
@@ -97,8 +97,7 @@ int run(const CompareCommand& options, const Common& common, bool limited, bool 
                                               : compare_text(head, plan, report));
     if (report.comparisons.empty() && !options.image.empty() && options.format != "json")
         fmt::print("image none: no kernel's code differs\n");
-    for (const versus::Comparison& one : report.comparisons)
-        if (is_right(one.a) && !is_right(one.b)) return 1;
+    if (std::ranges::any_of(report.comparisons, versus::is_worse)) return 1;
     return plan.only_a.empty() ? 0 : 1; // B has lost a kernel
 }
 
@@ -107,7 +106,7 @@ int run(const CompareCommand& options, const Common& common, bool limited, bool 
 void add_compare(CLI::App& app, Common& common, int& exit_code) {
     CLI::App* verb = app.add_subcommand(
         "compare", "set two kernels, folders or revisions against each other: output, error and time; exit "
-                   "code 1 if B is wrong where A is right");
+                   "code 1 if B is wrong on a sample where A is right");
     auto options = std::make_shared<CompareCommand>();
     const char* side = "a folder of kernels, a kernel's file, a kernel's name, or a git revision";
     verb->add_option("A", options->a, side)->required()->check(not_empty());
@@ -126,14 +125,14 @@ void add_compare(CLI::App& app, Common& common, int& exit_code) {
     verb->add_flag("--no-time", options->no_time, "output and error only");
     CLI::Option* seconds = verb->add_option("--seconds", options->seconds,
                                             "of timing, per kernel; it ends earlier where that decides")
-                               ->check(CLI::Range(0.0, 1e6))
+                               ->check(number_from(0, 1e6))
                                ->capture_default_str();
     verb->add_option("--rounds", options->rounds, "exactly so many rounds of A, B and A again instead")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}))
         ->excludes(seconds);
     verb->add_option("--least-effect", options->least_effect,
                      "in per cent of the time: what is less is no difference")
-        ->check(CLI::Range(0.1, 10.0))
+        ->check(number_from(0.1, 10))
         ->capture_default_str();
     verb->add_option("--image", options->image, "PNG of where one kernel differs, over two of its inputs")
         ->check(not_empty());
@@ -160,7 +159,7 @@ void add_compare(CLI::App& app, Common& common, int& exit_code) {
                  "  gnomon compare smsr/case_09 my_case.glsl --image where.png --axes p.x,p.y");
     verb->callback([options, &app, &common, &exit_code] {
         const std::string device =
-            app.count("--device") > 0 ? fmt::format(" --device '{}'", common.device.name) : "";
+            app.count("--device") > 0 ? fmt::format(" --device {}", in_quotes(common.device.name)) : "";
         exit_code = run(*options, common, app.count("--time-limit") > 0, app.count("--kernels") > 0, device);
     });
 }

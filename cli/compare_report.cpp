@@ -111,7 +111,7 @@ std::string time_text(const measure::Pairing& time) {
     const std::string meaning = v.pace == Pace::uncertain ? fmt::format(" ({})", v.reason)
                                                           : fmt::format(" (margin {:.3g} %)", v.margin * 100);
     const std::string floor =
-        v.with_floor ? fmt::format(" with {:.3g} ns of reading, nearly all of it", time.floor) : "";
+        v.with_floor ? fmt::format(" with {:.3g} ns of reading, nearly all of the shorter", time.floor) : "";
     return fmt::format("  time      A {:.4g} ns, B {:.4g} ns a call{}: {}{}\n"
                        "            B/A = {:.3f}, with {:.4g} % confidence {}; A/A = {:.3f}, {}; {} rounds\n",
                        time.a + (v.with_floor ? time.floor : 0), time.b + (v.with_floor ? time.floor : 0),
@@ -196,7 +196,8 @@ Json json_of(const versus::DifferenceReport& report) {
                 {"differ_in_domain", d.differ_defined},
                 {"finite_on_one_side", d.finiteness},
                 {"sign_of_zero", d.zeros},
-                {"nan_of_other_bits", d.other_nan}};
+                {"nan_of_other_bits", d.other_nan},
+                {"wrong_where_a_is_right", report.lost}};
     if (d.differ == 0) return object;
     object["worst"] = {{"absolute", finite(d.absolute)},
                        {"ulps", finite(d.ulps)},
@@ -285,7 +286,7 @@ std::string compare_json(const CompareHead& head, const versus::Plan& plan,
                 {"only_a", plan.only_a},
                 {"only_b", plan.only_b},
                 {"other_stages", plan.others}}
-        .dump(2);
+        .dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 } // namespace gnomon::cli

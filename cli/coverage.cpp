@@ -83,7 +83,7 @@ void add_coverage(CLI::App& app, Common& common, int& exit_code) {
     verb->add_flag("--missing", options->missing, "list what was not reached, line by line");
     verb->add_option("--fail-under", options->fail_under,
                      "exit with 1 if fewer per cent of the lines, or of the branches, were reached")
-        ->check(CLI::Range(0.0, 100.0));
+        ->check(number_from(0, 100));
     verb->add_option("--jobs", options->jobs,
                      "worker threads, each with its own device (default: one per core)")
         ->check(CLI::Range(0u, 256u));

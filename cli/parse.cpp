@@ -1,6 +1,7 @@
 #include "cli/parse.h"
 
 #include "runtime/error.h"
+#include "runtime/files.h"
 
 #include <charconv>
 #include <cmath>
@@ -58,11 +59,23 @@ std::uint64_t parse_count(const std::string& text, const char* option) {
     return static_cast<std::uint64_t>(value);
 }
 
+CLI::Validator number_from(double least, double most) {
+    const std::string range = fmt::format("{:g} to {:g}", least, most);
+    return {[least, most, range](std::string& text) {
+                double value = 0;
+                const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+                const bool fits = error == std::errc{} && end == text.data() + text.size() &&
+                                  value >= least && value <= most; // NaN is not
+                return fits ? "" : fmt::format("Value {} not in range {}", text, range);
+            },
+            "FLOAT in [" + range + "]"};
+}
+
 std::string replay_options(const CLI::App& app) {
     std::string text;
     for (const char* option : {"--kernels", "--device"})
         if (app.count(option) > 0)
-            text += fmt::format(" {} '{}'", option, app.get_option(option)->as<std::string>());
+            text += fmt::format(" {} {}", option, in_quotes(app.get_option(option)->as<std::string>()));
     return text;
 }
 

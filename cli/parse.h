@@ -24,6 +24,9 @@ std::optional<std::uint64_t> parse_seed(const std::string& text);
 /// 2^50.
 std::uint64_t parse_count(const std::string& text, const char* option);
 
+/// A check for options that are a number from `least` to `most`. (CLI::Range lets NaN pass.)
+CLI::Validator number_from(double least, double most);
+
 /// What a command that replays a finding must say besides: these kernels, this device.
 std::string replay_options(const CLI::App& app);
 

@@ -83,7 +83,7 @@ void add_worst(CLI::App& app, Common& common, int& exit_code) {
         ->required();
     verb->add_option("--seconds", options->search.seconds,
                      "how long to search; Ctrl-C ends it and keeps what is found")
-        ->check(CLI::Range(0.0, 1e7))
+        ->check(number_from(0, 1e7))
         ->capture_default_str();
     verb->add_option("--evaluations", options->search.evaluations,
                      "how many inputs to try instead: the same inputs every time")

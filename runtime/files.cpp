@@ -153,6 +153,17 @@ void require_writable(const fs::path& path) {
     if (!target.in_place) TemporaryFile{target.path};
 }
 
+std::string in_quotes(std::string_view text) {
+    std::string quoted = "'";
+    for (const char c : text) {
+        if (c == '\'')
+            quoted += "'\\''";
+        else
+            quoted += c;
+    }
+    return quoted + "'";
+}
+
 fs::path cache_directory() {
     if (const auto named = environment_path("GNOMON_CACHE")) {
         if (usable_directory(*named)) return *named;

@@ -21,6 +21,9 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// Throws Error now if write_file(path, …) could not succeed later: before minutes of work, not after.
 void require_writable(const std::filesystem::path& path);
 
+/// A path or name as one word of a shell's command: in single quotes, whatever it holds.
+std::string in_quotes(std::string_view text);
+
 /// Where compiled kernels are kept between runs: $GNOMON_CACHE, else $XDG_CACHE_HOME/gnomon, else
 /// ~/.cache/gnomon, else this user's folder in the system's temporary folder. Made if it is missing. Throws
 /// Error if $GNOMON_CACHE is set but cannot be used, or if none of them can.

@@ -88,7 +88,7 @@ PaceVerdict judge_times(const PairedTimes& times, const PaceOptions& options) {
 
     verdict.confidence = 1 - (1 - options.confidence) * std::exp2(-static_cast<double>(options.look));
     double part = times.floor / median_of(times.a);
-    verdict.with_floor = part > most_floor;
+    verdict.with_floor = std::max(part, times.floor / median_of(times.b)) > most_floor;
     if (verdict.with_floor) part = 0;
     const auto net = [&](double ratio) { return std::max(0.0, (ratio - part) / (1 - part)); };
     const auto judge = [&](const std::vector<double>& over, double& median, Interval& interval) {

@@ -10,8 +10,8 @@
 // A, B and A' may each contain the same constant (what reading their inputs costs): `floor`. A ratio of times
 // with it is nearer to 1 than the ratio without; it is corrected by (r - f) / (1 - f), f = floor / median of
 // A, which moves both ends of an interval alike. A wrong floor makes an effect larger or smaller, never turns
-// it around. Where the floor is more than four fifths of A there is next to nothing left to be compared: then
-// it stays in, and the ratio and its margin are those of the whole.
+// it around. Where the floor is more than four fifths of A or of B there is next to nothing left of that
+// to be compared: then it stays in, and the ratio and its margin are those of the whole.
 //
 // The margin within which two programs count as equally fast is the largest of
 //   - the least effect that anybody cares about (3 %),

@@ -60,6 +60,7 @@ struct Examiner::Impl {
         std::optional<Records> records;
         std::vector<std::uint8_t> defined;
         std::array<std::vector<std::uint32_t>, 2> results;
+        std::array<std::vector<bool>, 2> passed; ///< per record, by the side's own table
     };
     std::unique_ptr<AtHand> at_hand;
 
@@ -131,12 +132,15 @@ struct Examiner::Impl {
         const std::vector<Truth> truths = measure::truths_on(asked, *at.records, 0, default_truth_files());
         measure::Inputs inputs(asked);
         std::vector<std::uint32_t> defined_results;
+        std::vector<bool>& passed = at.passed[static_cast<std::size_t>(side)];
+        passed.clear();
         for (std::size_t i = 0; i < at.records->size(); ++i) {
             const std::span<const std::uint32_t> input = at.records->input(i);
             const Mask* mask = at.records->mask(i);
             const std::span<const std::uint32_t> got = std::span(results).subspan(i * components, components);
-            if (!judge(c, arguments(c, input, mask), got, truths.empty() ? nullptr : &truths[i]).pass)
-                ++report.wrong;
+            passed.push_back(
+                judge(c, arguments(c, input, mask), got, truths.empty() ? nullptr : &truths[i]).pass);
+            if (!passed.back()) ++report.wrong;
             if (at.defined[i] == 0) continue;
             inputs.records.add(input, mask);
             if (!truths.empty()) inputs.truths.push_back(truths[i]);
@@ -198,6 +202,8 @@ DifferenceReport Examiner::difference(const Pair& pair) {
     Impl::AtHand& at = impl_->at(pair);
     DifferenceReport report;
     report.counts = versus::difference(at.question, *at.records, at.defined, at.results[0], at.results[1]);
+    for (std::size_t i = 0; i < at.records->size(); ++i)
+        if (at.passed[0][i] && !at.passed[1][i]) ++report.lost;
     if (report.counts.differ == 0) return report;
     const std::size_t i = report.counts.worst;
     const CsvInput input = input_of(*at.records, i);

@@ -18,8 +18,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Difference, samples, defined, differ, differ_
                                    other_nan, worst, absolute, ulps, most_ulps, where)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SideReport, failure, message, ran, seed, samples, wrong, error, unit,
                                    allowed)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DifferenceReport, counts, worst_defined, call_a, call_b, got_a, got_b,
-                                   want, command_a, command_b)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DifferenceReport, counts, lost, worst_defined, call_a, call_b, got_a,
+                                   got_b, want, command_a, command_b)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Request, question, a, b)
 
 namespace {

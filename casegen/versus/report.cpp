@@ -25,6 +25,12 @@ const char* trend(const measure::Quantiles& a, const measure::Quantiles& b) {
 
 } // namespace
 
+bool is_worse(const Comparison& comparison) {
+    const SideReport &a = comparison.a, &b = comparison.b;
+    if (is_right(a)) return !is_right(b);
+    return a.ran && (b.ran ? comparison.difference.lost > 0 : a.wrong < a.samples);
+}
+
 std::string accuracy_verdict(const Comparison& comparison) {
     const SideReport &a = comparison.a, &b = comparison.b;
     std::string errors;
@@ -39,7 +45,10 @@ std::string accuracy_verdict(const Comparison& comparison) {
     if (is_right(a) && is_right(b)) return fmt::format("B is right{}: {}", trend(a.error, b.error), errors);
     if (is_right(b)) return fmt::format("B is right where A is not ({}){}", failure_text(a), behind);
     if (is_right(a)) return fmt::format("B is WRONG where A is right: {}{}", failure_text(b), behind);
-    return fmt::format("neither is right: A: {}; B: {}{}", failure_text(a), failure_text(b), behind);
+    const std::string lost = comparison.difference.lost > 0
+                                 ? fmt::format(", B on {} samples where A is", comparison.difference.lost)
+                                 : "";
+    return fmt::format("neither is right{}: A: {}; B: {}{}", lost, failure_text(a), failure_text(b), behind);
 }
 
 } // namespace gnomon::versus

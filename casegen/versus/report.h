@@ -27,6 +27,7 @@ struct SideReport {
 
 struct DifferenceReport {
     Difference counts;
+    std::size_t lost = 0;             ///< samples that A passes, each by its own table, and B does not
     bool worst_defined = false;       ///< the call below is in the domain
     std::string call_a, call_b;       ///< "smsr_case_09(p = vec2(…), …)"; empty if nothing differs
     std::string got_a, got_b, want;   ///< want: the reference's value; empty outside the domain
@@ -54,6 +55,9 @@ struct Comparison {
 };
 
 inline bool is_right(const SideReport& side) { return side.failure.empty(); }
+
+/// Whether B is wrong on a sample on which A is right, be A wrong on others.
+bool is_worse(const Comparison& comparison);
 
 /// How B's error compares with A's, and whether it is right: "B is right: max error 0.7 → 0.9 of the limit",
 /// "B is WRONG: 132 of 65536 samples fail; …".

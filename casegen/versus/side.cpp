@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string in_quotes(const fs::path& path) { return fmt::format("'{}'", path.string()); }
-
 const Case* find_exactly(const std::string& name) {
     for (const Family& family : catalogue())
         for (const Case& c : family.cases)
@@ -90,10 +88,10 @@ Side side_of_file(const fs::path& file, const fs::path& kernels, const std::stri
     const std::string text = text_for(c, file);
     const fs::path around = folder_around(file, c);
     side.folder = around.empty() ? kernels : around;
-    side.options = fmt::format(" --kernels {}", in_quotes(side.folder));
+    side.options = fmt::format(" --kernels {}", in_quotes(side.folder.string()));
     if (around.empty() || text != read_file(file)) {
         side.overlaid[c.name + ".glsl"] = text;
-        side.options += fmt::format(" --file {}", in_quotes(file));
+        side.options += fmt::format(" --file {}", in_quotes(file.string()));
     }
     return side;
 }
@@ -130,7 +128,7 @@ Side side_of_revision(const std::string& revision, const fs::path& kernels) {
     Side side;
     side.label = revision == at.commit ? revision : fmt::format("{} ({})", revision, at.commit);
     side.folder = unpacked(kernels, at);
-    side.options = fmt::format(" --kernels {}", in_quotes(side.folder));
+    side.options = fmt::format(" --kernels {}", in_quotes(side.folder.string()));
     return side;
 }
 
@@ -163,7 +161,7 @@ Side side_of(const std::string& text, const fs::path& kernels, const std::string
         side.label = text;
         side.folder = kernels;
         side.kernel = c;
-        side.options = fmt::format(" --kernels {}", in_quotes(kernels));
+        side.options = fmt::format(" --kernels {}", in_quotes(kernels.string()));
         return side;
     }
     if (text.ends_with(".glsl")) throw Error("{}: no such file", text);

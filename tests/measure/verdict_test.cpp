@@ -177,6 +177,13 @@ TEST(verdict, takes_reading_off) {
         EXPECT_NEAR(judge_times(times).ratio, 1.04, 0.01);
         EXPECT_TRUE(judge_times(times).with_floor);
     }
+    for (double& time : times.b) time = 2; // of which reading is nearly all, though it is little of A's
+    times.floor = 1.9;
+    EXPECT_TRUE(judge_times(times).with_floor);
+    EXPECT_NEAR(judge_times(times).ratio, 0.2, 0.01);
+    times.floor = 1;
+    EXPECT_FALSE(judge_times(times).with_floor);
+    EXPECT_NEAR(judge_times(times).ratio, 1.0 / 9, 0.01);
 }
 
 TEST(verdict, looks_cost_confidence) {
