@@ -2,11 +2,24 @@
 
 #include "casegen/atlas/html.h"
 
+#include <boost/locale/encoding_utf.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace gnomon::cli {
+namespace {
+
+/// Without what XML cannot hold: bytes that are no UTF-8 and control characters. A message may quote any file.
+std::string characters(const std::string& text) {
+    std::u32string all = boost::locale::conv::utf_to_utf<char32_t>(text);
+    std::erase_if(all, [](char32_t c) {
+        return (c < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0xfffe || c == 0xffff;
+    });
+    return boost::locale::conv::utf_to_utf<char>(all);
+}
+
+} // namespace
 
 std::string junit_xml(const std::string& suite, std::span<const JunitCase> cases) {
     using atlas::escape_html;
@@ -24,7 +37,7 @@ std::string junit_xml(const std::string& suite, std::span<const JunitCase> cases
             text += fmt::format(">\n    <failure type=\"{0}\" message=\"{0}\">{1}</failure>\n  </testcase>\n",
                                 escape_html(one.failure), escape_html(one.text));
     }
-    return text + "</testsuite>";
+    return characters(text + "</testsuite>");
 }
 
 } // namespace gnomon::cli

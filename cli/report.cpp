@@ -75,7 +75,8 @@ std::string check_json(std::span<const CheckReport> reports, const std::string& 
         }
         list.push_back(std::move(entry));
     }
-    return nlohmann::ordered_json{{"kernels", list}}.dump(2);
+    return nlohmann::ordered_json{{"kernels", list}}.dump(2, ' ', false,
+                                                          nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::string check_junit(std::span<const CheckReport> reports, const std::string& options) {

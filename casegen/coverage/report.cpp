@@ -216,7 +216,8 @@ std::string to_json(const Coverage& coverage) {
         kernels.push_back(entry);
     }
     for (const FileCoverage& file : coverage.files) files.push_back(to_json(file));
-    return Json{{"totals", to_json(totals(coverage))}, {"kernels", kernels}, {"files", files}}.dump(1);
+    return Json{{"totals", to_json(totals(coverage))}, {"kernels", kernels}, {"files", files}}.dump(
+        1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string to_lcov(const Coverage& coverage, const std::filesystem::path& kernels) {

@@ -230,9 +230,9 @@ Baseline parse_baseline(const std::string& text, const std::string& name) {
     if (!json.is_object() || !json.contains("format") || !json["format"].is_number_integer())
         throw Error("{}: is not a baseline of gnomon bench; write one with gnomon bench --save {}", name,
                     name);
-    if (json["format"].get<int>() != format)
+    if (json["format"] != format)
         throw Error("{}: is a baseline of format {}; this gnomon reads {}: write it anew with --save", name,
-                    json["format"].get<int>(), format);
+                    json["format"].dump(), format);
     Baseline baseline;
     baseline.machine = text_member(json, "machine", name);
     baseline.driver = text_member(json, "driver", name);

@@ -14,6 +14,8 @@ Json parse_json(const std::string& text, const std::string& name) {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
         throw Error("{}: is not JSON (byte {})", name, error.byte);
+    } catch (const Json::out_of_range&) {
+        throw Error("{}: holds a number that is too large to be one", name);
     }
 }
 

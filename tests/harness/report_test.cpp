@@ -15,6 +15,7 @@ namespace {
 using testing::BrokenKernels;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
+using ::testing::Not;
 using testing::Ran;
 using testing::run_gnomon;
 using testing::run_shell;
@@ -129,6 +130,19 @@ TEST_F(failure_report, junit_holds_the_failure) {
     EXPECT_EQ(ran.exit_code, 1);
     EXPECT_THAT(ran.out, AllOf(HasSubstr("tests=\"1\" failures=\"1\""), HasSubstr("<failure type=\"wrong\""),
                                HasSubstr("got 0x1p+0, want 0x0p+0")));
+}
+
+TEST_F(failure_report, is_whole_whatever_bytes_a_message_quotes) {
+    const BrokenKernels broken("wrong_constant");
+    const std::filesystem::path file = broken.folder() / "smsr/case_02.glsl";
+    write_file(file, "#include \"a\xff.glslh\"\n" + read_file(file));
+    const Ran json = check(broken, "smsr/case_02", "json");
+    EXPECT_EQ(json.exit_code, 1) << json.err;
+    const auto message = nlohmann::json::parse(json.out).at("kernels").at(0).at("message");
+    EXPECT_THAT(message.get<std::string>(), HasSubstr("smsr/case_02.glsl:1: cannot include \"a\xef\xbf\xbd"));
+    const Ran junit = check(broken, "smsr/case_02", "junit");
+    EXPECT_EQ(junit.exit_code, 1) << junit.err;
+    EXPECT_THAT(junit.out, AllOf(HasSubstr("cannot include &quot;a.glslh&quot;"), Not(HasSubstr("\xff"))));
 }
 
 TEST_F(failure_report, eval_refuses_a_result_that_was_not_written) {
