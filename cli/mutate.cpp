@@ -44,7 +44,7 @@ int run(const MutateCommand& options, const Common& common, bool limited, const 
     require_kernels(common.kernels);
     if (!options.json.empty()) require_writable(options.json);
     mutate::CampaignOptions campaign;
-    campaign.examiner.kernels = common.kernels;
+    campaign.examiner.sources = glsl::frozen(kernel_sources(common.kernels));
     campaign.examiner.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
     campaign.examiner.worst = GNOMON_SOURCE_DIR "/fixtures/worst";
     for (const auto& [name, all] : fuzz::load_regressions(options.regressions))
@@ -59,7 +59,7 @@ int run(const MutateCommand& options, const Common& common, bool limited, const 
     campaign.limit = options.limit;
     campaign.only = options.mutant;
     campaign.jobs = options.jobs;
-    const glsl::Sources sources = kernel_sources(common.kernels);
+    const glsl::Sources& sources = campaign.examiner.sources;
     if (options.show) {
         for (const mutate::Mutant& mutant : mutate::mutants_of(cases, sources, campaign.operators))
             if (mutant.id == options.mutant) {

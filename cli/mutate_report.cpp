@@ -32,7 +32,9 @@ std::string place_of(const mutate::Mutant& mutant) {
 }
 
 /// Rounded down: 100 % is all of them.
-std::string percent(double share) { return fmt::format("{:.1f} %", std::floor(share * 1000) / 10); }
+std::string percent(std::optional<double> share) {
+    return share ? fmt::format("{:.1f} %", std::floor(*share * 1000) / 10) : "-";
+}
 
 std::string row(const std::string& name, std::size_t width, const KernelCount& count) {
     return fmt::format("{:<{}} {:>7} {:>9} {:>9} {:>7} {:>10} {:>9} {:>8} {:>8}\n", name, width,
@@ -48,22 +50,27 @@ std::string survivor_text(const MutantReport& each, const glsl::Sources& sources
                        each.how, mutant.users.front()->name, options, mutant.id);
 }
 
-nlohmann::ordered_json json_of(const KernelCount& count, const mutate::CampaignReport& report) {
-    using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
+
+Json json_of(const MutantReport& each) {
+    const mutate::Mutant& mutant = each.mutant;
+    Json entry{{"id", mutant.id},
+               {"file", mutant.file},
+               {"line", mutant.mutation.line},
+               {"column", mutant.mutation.column},
+               {"operator", to_string(mutant.mutation.by)},
+               {"before", mutant.before},
+               {"after", mutant.mutation.after},
+               {"fate", to_string(each.fate)}};
+    if (each.by) entry["kernel"] = each.by->name;
+    entry["how"] = each.how;
+    return entry;
+}
+
+Json json_of(const KernelCount& count, const mutate::CampaignReport& report) {
     Json survived = Json::array();
-    for (const std::size_t i : count.mutants) {
-        const MutantReport& each = report.mutants[i];
-        if (each.fate != Fate::survived) continue;
-        const mutate::Mutant& mutant = each.mutant;
-        survived.push_back({{"id", mutant.id},
-                            {"file", mutant.file},
-                            {"line", mutant.mutation.line},
-                            {"column", mutant.mutation.column},
-                            {"operator", to_string(mutant.mutation.by)},
-                            {"before", mutant.before},
-                            {"after", mutant.mutation.after},
-                            {"how", each.how}});
-    }
+    for (const std::size_t i : count.mutants)
+        if (report.mutants[i].fate == Fate::survived) survived.push_back(json_of(report.mutants[i]));
     Json entry;
     if (count.kernel) entry["name"] = count.kernel->name;
     entry["mutants"] = count.total();
@@ -73,7 +80,7 @@ nlohmann::ordered_json json_of(const KernelCount& count, const mutate::CampaignR
     entry["same_code"] = count.same_code;
     entry["stillborn"] = count.stillborn;
     entry["not_run"] = count.not_run;
-    entry["score"] = count.score();
+    entry["score"] = count.score() ? Json(*count.score()) : Json();
     entry["survived"] = std::move(survived);
     return entry;
 }
@@ -103,15 +110,16 @@ std::string mutate_text(const mutate::CampaignReport& report, const glsl::Source
 }
 
 std::string mutate_json(const mutate::CampaignReport& report) {
-    using Json = nlohmann::ordered_json;
-    Json kernels = Json::array();
+    Json kernels = Json::array(), mutants = Json::array();
     for (const KernelCount& count : report.kernels) kernels.push_back(json_of(count, report));
+    for (const MutantReport& each : report.mutants) mutants.push_back(json_of(each));
     const Json all{{"kernels", kernels},
+                   {"mutants", mutants},
                    {"all", json_of(report.all, report)},
                    {"complaints", report.complaints},
                    {"interrupted", report.interrupted},
                    {"seconds", report.seconds}};
-    return all.dump(2) + '\n';
+    return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string mutate_junit(const mutate::CampaignReport& report, const glsl::Sources& sources) {

@@ -31,10 +31,9 @@ std::vector<std::string> texts_in(const glsl::Sources& sources, const Case& c) {
 }
 
 /// The text behind such a name.
-std::string text_of(const glsl::Sources& sources, const std::string& name) {
+std::string named_text(const glsl::Sources& sources, const std::string& name) {
     if (name.starts_with('<')) return sources.generated.at(name.substr(1, name.size() - 2));
-    const auto overlaid = sources.overlaid.find(name);
-    return overlaid != sources.overlaid.end() ? overlaid->second : read_file(sources.root / name);
+    return glsl::text_of(sources, name);
 }
 
 /// A kernel as it is and the same with counters: with all of them, or with parts of them in turn where all
@@ -46,7 +45,7 @@ public:
         : device_(device), case_(c), sources_(sources),
           plain_(device.kernel(compile_standalone(c, sources), c.name)) {
         for (const std::string& name : texts_in(sources, c)) {
-            Instrumented instrumented = instrumenter(text_of(sources, name), counters_);
+            Instrumented instrumented = instrumenter(named_text(sources, name), counters_);
             files_.push_back({name, counters_, instrumented.counters});
             counters_ += instrumented.counters + instrumented.counters % 2;
             if (name.starts_with('<'))
@@ -235,7 +234,7 @@ std::vector<FileCoverage> merge(const glsl::Sources& sources, std::span<const Ke
             FileCoverage& file = files[name];
             if (file.name.empty()) {
                 file.name = name;
-                file.text = text_of(sources, name);
+                file.text = named_text(sources, name);
                 file.points = instrument(file.text);
                 file.hits.resize(file.points.counters);
             }

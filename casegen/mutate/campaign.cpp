@@ -20,11 +20,15 @@ namespace gnomon::mutate {
 namespace {
 
 /// What a worker says: the outcome's number or 't' for a dispatch that did not end, a blank, and the rest in
-/// words.
-std::string answer(Examiner& examiner, const MutantReport& report, const Case& c,
-                   const glsl::Sources& sources) {
+/// words. Without a mutant: how the kernel itself does.
+std::string answer(Examiner& examiner, const Mutant* mutant, const Case& c, const glsl::Sources& sources) {
     try {
-        const Examined examined = examiner.examine(c, with(sources, report.mutant));
+        if (!mutant) {
+            const std::string complaint = examiner.complaint(c);
+            const auto outcome = complaint.empty() ? Examined::Outcome::survived : Examined::Outcome::broken;
+            return fmt::format("{} {}", static_cast<int>(outcome), complaint);
+        }
+        const Examined examined = examiner.examine(c, with(sources, *mutant));
         return fmt::format("{} {}", static_cast<int>(examined.outcome), examined.how);
     } catch (const KernelTimeout& error) {
         return fmt::format("t {}", error.what());
@@ -37,7 +41,7 @@ class Campaign {
 public:
     Campaign(CampaignReport& report, const CampaignOptions& options,
              const std::function<void(std::size_t, std::size_t)>& done)
-        : report_(report), options_(options), done_(done), sources_(kernel_sources(options.examiner.kernels)),
+        : report_(report), options_(options), done_(done), sources_(options.examiner.sources),
           progress_(report.mutants.size()) {
         for (std::size_t i = 0; i < report_.mutants.size(); ++i)
             waiting_[report_.mutants[i].mutant.users.front()].push_back(i);
@@ -53,7 +57,7 @@ public:
             const bool stopped = options_.stop && *options_.stop;
             bool busy = false;
             for (std::size_t worker = 0; worker < children_.size(); ++worker) {
-                if (!children_[worker].busy() && !stopped) give(worker);
+                while (!stopped && !children_[worker].busy() && !waiting_.empty()) give(worker);
                 busy = busy || children_[worker].busy();
             }
             if (!busy) return;
@@ -84,6 +88,8 @@ private:
         std::size_t mutant = 0;
         const Case* kernel = nullptr;
         double sent = 0;
+        bool unchanged = false; ///< the kernel itself is asked about, before its first mutant
+        bool again = false;     ///< which did not answer before
     };
 
     Child start() {
@@ -99,33 +105,39 @@ private:
                 const std::size_t mutant = std::strtoull(request.c_str(), nullptr, 10);
                 const std::size_t user =
                     std::strtoull(request.substr(request.find(' ')).c_str(), nullptr, 10);
-                const MutantReport& report = report_.mutants[mutant];
-                return answer(*examiner, report, *report.mutant.users[user], sources_);
+                const Mutant& asked = report_.mutants[mutant].mutant;
+                return answer(*examiner, request.ends_with('u') ? nullptr : &asked, *asked.users[user],
+                              sources_);
             };
         });
     }
     void restart(std::size_t worker) { children_[worker] = start(); }
 
-    /// The kernel that this worker knows, else one that no other worker is at, else any.
+    /// The kernel that this worker knows, else one that no other worker is at, else any. There are some.
     const Case* kernel_for(std::size_t worker) {
         if (const auto own = waiting_.find(tasks_[worker].kernel); own != waiting_.end()) return own->first;
         for (const auto& [kernel, mutants] : waiting_)
             if (std::ranges::find(tasks_, kernel, &Task::kernel) == tasks_.end()) return kernel;
-        return waiting_.empty() ? nullptr : waiting_.begin()->first;
+        return waiting_.begin()->first;
     }
 
     void give(std::size_t worker) {
         const Case* kernel = kernel_for(worker);
-        if (!kernel) return;
         std::deque<std::size_t>& mutants = waiting_[kernel];
         const std::size_t mutant = mutants.front();
         mutants.pop_front();
         if (mutants.empty()) waiting_.erase(kernel);
         send(worker, mutant, kernel);
     }
-    void send(std::size_t worker, std::size_t mutant, const Case* kernel) {
-        tasks_[worker] = {mutant, kernel, seconds_now()};
-        children_[worker].send(fmt::format("{} {}", mutant, progress_[mutant].user));
+    /// Nothing is asked of a kernel's mutants before the kernel itself has passed its check: a mutant of one
+    /// that crashes or does not end would pass for killed.
+    void send(std::size_t worker, std::size_t mutant, const Case* kernel, bool again = false) {
+        tasks_[worker] = {mutant, kernel, seconds_now(), !sound_.contains(kernel), again};
+        if (const auto broken = broken_.find(kernel->name); broken != broken_.end())
+            judge(worker, Examined::Outcome::broken, broken->second);
+        else
+            children_[worker].send(
+                fmt::format("{} {}{}", mutant, progress_[mutant].user, tasks_[worker].unchanged ? " u" : ""));
     }
 
     void take(std::size_t worker) {
@@ -142,11 +154,24 @@ private:
             again_or_dead(worker, said.text.substr(2));
             return;
         }
-        judge(worker, static_cast<Examined::Outcome>(said.text[0] - '0'), said.text.substr(2));
+        const auto outcome = static_cast<Examined::Outcome>(said.text[0] - '0');
+        if (tasks_[worker].unchanged && outcome != Examined::Outcome::broken) {
+            sound_.insert(tasks_[worker].kernel);
+            send(worker, tasks_[worker].mutant, tasks_[worker].kernel);
+            return;
+        }
+        judge(worker, outcome, said.text.substr(2));
     }
 
     void again_or_dead(std::size_t worker, const std::string& how) {
         const std::size_t mutant = tasks_[worker].mutant;
+        if (tasks_[worker].unchanged) {
+            if (tasks_[worker].again)
+                judge(worker, Examined::Outcome::broken, how);
+            else
+                send(worker, mutant, tasks_[worker].kernel, true);
+            return;
+        }
         if (progress_[mutant].again) {
             settle(mutant, Fate::killed, tasks_[worker].kernel, how);
             return;
@@ -204,12 +229,13 @@ private:
     CampaignReport& report_;
     const CampaignOptions& options_;
     const std::function<void(std::size_t, std::size_t)>& done_;
-    glsl::Sources sources_;
+    const glsl::Sources& sources_;
     std::vector<Progress> progress_;
     std::map<const Case*, std::deque<std::size_t>> waiting_;
     std::vector<Child> children_;
     std::vector<Task> tasks_; ///< each worker's, the last one if it is idle
     std::size_t settled_ = 0;
+    std::set<const Case*> sound_; ///< kernels that pass unchanged
     std::map<std::string, std::string> broken_;
 };
 
@@ -280,16 +306,16 @@ const char* to_string(Fate fate) {
     return "";
 }
 
-double KernelCount::score() const {
+std::optional<double> KernelCount::score() const {
     const std::size_t mortal = killed + survived;
-    return mortal == 0 ? 1 : static_cast<double>(killed) / static_cast<double>(mortal);
+    if (mortal == 0) return {};
+    return static_cast<double>(killed) / static_cast<double>(mortal);
 }
 
 CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOptions& options,
                             const std::function<void(std::size_t, std::size_t)>& done) {
     const double begin = seconds_now();
-    require_kernels(options.examiner.kernels);
-    const glsl::Sources sources = kernel_sources(options.examiner.kernels);
+    const glsl::Sources& sources = options.examiner.sources;
     CampaignReport report;
     std::map<std::string, const Equivalent*> listed;
     for (const Equivalent& each : options.equivalents) listed[each.id] = &each;
@@ -302,12 +328,13 @@ CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOp
         ids.insert(mutant.id);
     }
     std::set<std::string> missing;
+    const bool asks_all = cases.size() == find_cases("").size(); // what nobody includes has no mutants either
     for (const Equivalent& each : options.equivalents) {
-        if (!std::filesystem::exists(options.examiner.kernels / each.file)) {
+        if (!sources.overlaid.contains(each.file)) {
             if (missing.insert(each.file).second)
                 report.complaints.push_back(fmt::format(
                     "{}: mutants of it are listed as equivalent, but there is no such file", each.file));
-        } else if (files.contains(each.file) && !ids.contains(each.id)) {
+        } else if ((asks_all || files.contains(each.file)) && !ids.contains(each.id)) {
             report.complaints.push_back(fmt::format(
                 "{}: {} is listed as equivalent, but there is no such mutant: the function has changed ({})",
                 each.file, each.id, each.mutation));

@@ -52,8 +52,8 @@ struct KernelCount {
     std::size_t killed = 0, survived = 0, equivalent = 0, tolerated = 0, same_code = 0, stillborn = 0,
                 not_run = 0;
     std::size_t total() const { return mutants.size(); }
-    /// Killed of those that could be; 1 if there are none.
-    double score() const;
+    /// Killed of those that could be, if any could.
+    std::optional<double> score() const;
 };
 
 struct CampaignReport {

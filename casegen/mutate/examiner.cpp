@@ -31,7 +31,7 @@ std::string failed_call(const Case& c, const Records& records, std::size_t i,
 
 /// A kernel with its samples and what it answers unchanged.
 struct Examiner::Subject {
-    Subject(const Case& kernel_case, const ExaminerOptions& options, const glsl::Sources& sources,
+    Subject(const Case& kernel_case, const ExaminerOptions& options,
             const std::shared_ptr<const EdgePool>& pool, gpu::Device& device)
         : c(kernel_case), all(c), few(c),
           components(static_cast<std::size_t>(c.reference.result.components)) {
@@ -46,7 +46,12 @@ struct Examiner::Subject {
                            std::max(std::min(options.samples.value_or(default_samples(c)), most_samples),
                                     sampler->fixed_count()));
         for (std::size_t i = 0; i < all.size(); i += first_of) few.add(all.input(i), all.mask(i));
-        words = compile_standalone(c, sources);
+        try {
+            words = compile_standalone(c, options.sources);
+        } catch (const CompileError& error) {
+            broken = first_line(error.what());
+            return;
+        }
         gpu::Kernel kernel = device.kernel(words, c.name);
         const Outputs outputs = run_standalone(device, kernel, c, all);
         unchanged = outputs.words;
@@ -80,18 +85,16 @@ struct Examiner::Subject {
 
 struct Examiner::Impl {
     explicit Impl(ExaminerOptions given)
-        : options(std::move(given)), sources(kernel_sources(options.kernels)), device(options.device),
+        : options(std::move(given)), device(options.device),
           pool(std::make_shared<const EdgePool>(
               make_edge_pool(options.seed.value_or(default_seed("masks"))))) {}
 
     Subject& subject_of(const Case& c) {
-        if (!subject || &subject->c != &c)
-            subject = std::make_unique<Subject>(c, options, sources, pool, device);
+        if (!subject || &subject->c != &c) subject = std::make_unique<Subject>(c, options, pool, device);
         return *subject;
     }
 
     ExaminerOptions options;
-    glsl::Sources sources;
     gpu::Device device;
     std::shared_ptr<const EdgePool> pool;
     std::unique_ptr<Subject> subject;
@@ -99,6 +102,8 @@ struct Examiner::Impl {
 
 Examiner::Examiner(ExaminerOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}
 Examiner::~Examiner() = default;
+
+std::string Examiner::complaint(const Case& c) { return impl_->subject_of(c).broken; }
 
 Examined Examiner::examine(const Case& c, const glsl::Sources& changed) {
     using enum Examined::Outcome;

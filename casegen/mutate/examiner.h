@@ -18,7 +18,8 @@
 namespace gnomon::mutate {
 
 struct ExaminerOptions {
-    std::filesystem::path kernels, pins, worst; ///< folders; pins and worst may be empty
+    glsl::Sources sources;             ///< frozen: workers that begin later must see the same kernels
+    std::filesystem::path pins, worst; ///< folders; may be empty
     std::map<std::string, std::vector<CsvInput>> regressions;
     std::optional<std::size_t> samples; ///< as CheckOptions::samples, but at most most_samples
     std::optional<std::uint64_t> seed;  ///< as CheckOptions::seed
@@ -46,6 +47,10 @@ public:
     /// Throws Error (no device).
     explicit Examiner(ExaminerOptions options);
     ~Examiner();
+
+    /// How the unchanged kernel fails its check, in words; empty if it passes. Throws KernelTimeout, after
+    /// which the examiner is of no more use.
+    std::string complaint(const Case& c);
 
     /// `changed`: the sources with the change. Throws KernelTimeout, after which it is of no more use.
     Examined examine(const Case& c, const glsl::Sources& changed);

@@ -50,11 +50,6 @@ std::vector<std::string> files_of(const Case& c, const glsl::Sources& sources) {
     return glsl::included_files(sources, standalone_source(c));
 }
 
-std::string text_of(const glsl::Sources& sources, const std::string& file) {
-    const auto overlaid = sources.overlaid.find(file);
-    return overlaid != sources.overlaid.end() ? overlaid->second : read_file(sources.root / file);
-}
-
 std::vector<Mutant> mutants_of(std::span<const Case* const> cases, const glsl::Sources& sources,
                                std::span<const Operator> operators) {
     std::vector<const Case*> all_cases(cases.begin(), cases.end());
@@ -86,7 +81,7 @@ std::vector<Mutant> mutants_of(std::span<const Case* const> cases, const glsl::S
     const auto wanted = [&](Operator by) { return std::ranges::find(operators, by) != operators.end(); };
     std::vector<Mutant> mutants;
     for (const auto& [file, of_file] : users) {
-        const std::string text = text_of(sources, file);
+        const std::string text = glsl::text_of(sources, file);
         for (Mutation& mutation : mutations(text)) {
             if (!wanted(mutation.by)) continue;
             Mutant& mutant = mutants.emplace_back();
@@ -100,7 +95,7 @@ std::vector<Mutant> mutants_of(std::span<const Case* const> cases, const glsl::S
     }
     for (const auto& [kernel, file] : stale) {
         if (!wanted(Operator::stale)) continue;
-        std::string text = stale_version(text_of(sources, file), function_name(*kernel_of[file]));
+        std::string text = stale_version(glsl::text_of(sources, file), function_name(*kernel_of[file]));
         if (text.empty()) continue;
         Mutant& mutant = mutants.emplace_back();
         mutant.id = id_of(file, fmt::format("stale in {}", kernel->name));
@@ -134,7 +129,7 @@ glsl::Sources with(const glsl::Sources& sources, const Mutant& mutant) {
 std::string difference(const Mutant& mutant, const glsl::Sources& sources) {
     if (mutant.mutation.by == Operator::stale)
         return fmt::format("- {}\n+ {}\n", "what " + mutant.before + " includes", mutant.mutation.after);
-    const std::string text = text_of(sources, mutant.file);
+    const std::string text = glsl::text_of(sources, mutant.file);
     const Mutation& m = mutant.mutation;
     const std::size_t line_begin = m.begin == 0 ? 0 : text.rfind('\n', m.begin - 1) + 1;
     const std::size_t line_end = std::min(text.find('\n', m.end), text.size());

@@ -46,7 +46,4 @@ glsl::Sources with(const glsl::Sources& sources, const Mutant& mutant);
 /// "\n". Of a change over several lines the first and the last, with "…" between.
 std::string difference(const Mutant& mutant, const glsl::Sources& sources);
 
-/// The file's text, as the sources have it. Throws Error.
-std::string text_of(const glsl::Sources& sources, const std::string& file);
-
 } // namespace gnomon::mutate

@@ -20,6 +20,13 @@ struct Sources {
     std::map<std::string, std::string> overlaid = {};
 };
 
+/// The text of a file below `root`, or what stands for it. Throws Error (read_file).
+std::string text_of(const Sources& sources, const std::string& file);
+
+/// The same with the texts that all files of the folder have now: who compiles from it later, maybe in another
+/// process, sees no edit.
+Sources frozen(Sources sources);
+
 enum class Stage { compute, vertex, fragment, geometry };
 
 using Spirv = std::vector<std::uint32_t>;

@@ -79,9 +79,7 @@ struct Expansion {
         }
         std::string source;
         try {
-            const auto overlaid = sources.overlaid.find(include.name);
-            source = overlaid != sources.overlaid.end() ? overlaid->second
-                                                        : read_file(sources.root / include.name);
+            source = text_of(sources, include.name);
         } catch (const Error&) {
             throw CompileError("{}:{}: cannot include \"{}\": no such file below {}", from, line,
                                include.name, sources.root.string());
@@ -98,6 +96,24 @@ struct Expansion {
 };
 
 } // namespace
+
+std::string text_of(const Sources& sources, const std::string& file) {
+    const auto overlaid = sources.overlaid.find(file);
+    return overlaid != sources.overlaid.end() ? overlaid->second : read_file(sources.root / file);
+}
+
+Sources frozen(Sources sources) {
+    constexpr auto readable = std::filesystem::directory_options::skip_permission_denied;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(sources.root, readable)) {
+        const std::string file = entry.path().lexically_relative(sources.root).generic_string();
+        if (!entry.is_regular_file() || sources.overlaid.contains(file)) continue;
+        try {
+            sources.overlaid[file] = read_file(entry.path());
+        } catch (const Error&) { // it concerns nobody but those who include it, and they are told
+        }
+    }
+    return sources;
+}
 
 std::string expand(const Sources& sources, std::string_view text, std::string_view name) {
     Expansion expansion{sources, {}, {}, {}};

@@ -50,7 +50,7 @@ glsl::Sources answer_sources(const glsl::Sources& sources, const Technique& tech
 }
 
 std::string stage_text(const glsl::Sources& sources, const std::string& file) {
-    return read_file(sources.root / below_kernels(file));
+    return glsl::text_of(sources, below_kernels(file).generic_string());
 }
 
 std::string stage_name(const glsl::Sources& sources, const std::string& file) {

@@ -69,6 +69,39 @@ TEST(mutate_verb, shows_one_mutant_and_lists_it_where_it_survives) {
     EXPECT_THAT(text.out, HasSubstr("along_x < 2.0) return 1.0;\n    return 1.0 - p.y"));
 }
 
+TEST(mutate_verb, asks_a_kernel_itself_before_its_mutants) {
+    // Every mutant of a kernel that does not end does not end either, and none was noticed by a check.
+    const testing::BrokenKernels endless("endless");
+    const Ran ran = run_gnomon({"mutate", "smsr/case_0[13]", "--kernels", endless.folder().string(),
+                                "--time-limit", "1", "--format", "json"});
+    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+    const nlohmann::json report = nlohmann::json::parse(ran.out);
+    EXPECT_THAT(report.at("complaints").dump(), HasSubstr("smsr/case_01 fails its check unchanged"));
+    std::size_t killed = 0;
+    for (const nlohmann::json& mutant : report.at("mutants")) {
+        const bool of_endless = mutant.at("file") == "smsr/case_01.glsl";
+        EXPECT_EQ(mutant.at("fate") == "not run", of_endless) << mutant;
+        if (mutant.at("fate") != "killed") continue;
+        ++killed;
+        EXPECT_EQ(mutant.at("kernel"), "smsr/case_03");
+        EXPECT_NE(mutant.at("how"), "");
+    }
+    EXPECT_GT(killed, 0u);
+    EXPECT_GT(report.at("all").at("not_run").get<int>(), 0);
+    EXPECT_TRUE(report.at("kernels").at(0).at("score").is_null());
+    EXPECT_EQ(report.at("kernels").at(1).at("score"), 1);
+}
+
+TEST(mutate_verb, goes_on_behind_a_kernel_that_does_not_compile) {
+    const testing::BrokenKernels broken("syntax_error");
+    const Ran ran = run_gnomon({"mutate", "smsr/case_09,smsr/case_10", "--kernels", broken.folder().string(),
+                                "--operators", "comparison"});
+    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+    EXPECT_THAT(ran.out,
+                HasSubstr("ERROR smsr/case_09 fails its check unchanged: kernels/smsr/case_09.glsl:"));
+    EXPECT_THAT(ran.out, ::testing::ContainsRegex("smsr/case_10 .* 100.0 %"));
+}
+
 TEST(check_of_a_border, tells_less_from_less_or_equal) {
     const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y <= along_x");
     const Ran ran = run_gnomon({"check", "smsr/case_09", "--kernels", changed.folder().string()});
