@@ -45,7 +45,6 @@ int run(const FuzzCommand& options, const Common& common, bool limited, const st
         throw Error("every kernel that \"{}\" names must fail its check: there is nothing to be found",
                     options.pattern);
     fuzz::CampaignOptions campaign;
-    campaign.kernels = common.kernels;
     campaign.pins = GNOMON_SOURCE_DIR "/fixtures/pins";
     campaign.worst = GNOMON_SOURCE_DIR "/fixtures/worst";
     campaign.regressions = options.regressions;
@@ -58,15 +57,17 @@ int run(const FuzzCommand& options, const Common& common, bool limited, const st
     if (!limited) campaign.device.time_limit = 5;
     parse_shard(options.shard, campaign);
     require_kernels(common.kernels);
+    campaign.sources = glsl::frozen(kernel_sources(common.kernels));
+    const std::string key = fuzz::campaign_key(cases, campaign);
     campaign.journal = options.journal;
     if (campaign.journal.empty()) {
         const std::filesystem::path folder = cache_directory() / "fuzz";
         std::filesystem::create_directories(folder);
-        campaign.journal = folder / fuzz::journal_name(cases, campaign);
+        campaign.journal = folder / (key + ".journal");
     }
-    if (options.restart) std::filesystem::remove(campaign.journal);
+    if (options.restart) fuzz::Journal::discard(campaign.journal);
     fuzz::load_regressions(campaign.regressions); // malformed ones are told before anything is printed
-    { const fuzz::Journal journal(campaign.journal); }
+    { const fuzz::Journal journal(campaign.journal, key); }
     campaign.stop = &interrupted_by_signals();
     fuzz::CampaignReport report;
     {
@@ -79,7 +80,8 @@ int run(const FuzzCommand& options, const Common& common, bool limited, const st
     }
     fmt::print("{}",
                options.format == "json" ? fuzz_json(report, campaign) : fuzz_text(report, campaign, replay));
-    return report.findings.empty() ? 0 : 1;
+    const bool incomplete = report.interrupted && campaign.samples; // --seconds may end at any time
+    return report.findings.empty() && !incomplete ? 0 : 1;
 }
 
 } // namespace
@@ -93,7 +95,7 @@ void add_fuzz(CLI::App& app, Common& common, int& exit_code) {
                      "(chain/…)\nand over scenes (scene/…); several apart by commas (default: all)");
     verb->add_option("--seconds", options->seconds,
                      "begins no new batches after these; Ctrl-C ends it earlier")
-        ->check(CLI::Range(0.0, 1e8))
+        ->check(number_from(0, 1e8))
         ->capture_default_str();
     verb->add_option("--samples", options->samples,
                      "inputs of all kernels together, instead, as 300000 or 1e9: the same ones every time")

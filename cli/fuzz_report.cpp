@@ -83,8 +83,11 @@ std::string fuzz_text(const fuzz::CampaignReport& report, const fuzz::CampaignOp
     std::string text =
         fmt::format("{:<{}}  {:>12}  {:>11}  {}\n", "kernel", width, "evaluations", "worst error", "allowed");
     for (const fuzz::KernelReport& kernel : report.kernels) {
+        const bool fails = std::ranges::any_of(report.findings, [&](const fuzz::Finding& finding) {
+            return finding.regression.kernel == kernel.kernel->name;
+        });
         text += fmt::format("{:<{}}  {:>12}  {:>11}  {}\n", kernel.kernel->name, width, kernel.evaluations,
-                            format_error(kernel.worst_error), allowed(*kernel.kernel));
+                            fails ? "FAIL" : format_error(kernel.worst_error), allowed(*kernel.kernel));
         if (!kernel.given_up.empty()) text += fmt::format("  given up: {}\n", kernel.given_up);
     }
     for (const fuzz::Finding& finding : report.findings) text += finding_text(finding, replay);
@@ -129,7 +132,7 @@ std::string fuzz_json(const fuzz::CampaignReport& report, const fuzz::CampaignOp
                    {"interrupted", report.interrupted},
                    {"kernels", kernels},
                    {"findings", findings}};
-    return all.dump(2) + '\n';
+    return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 } // namespace gnomon::cli

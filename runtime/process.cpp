@@ -113,7 +113,7 @@ Child::Child(const Start& start) {
     if (pid_ == 0) {
         ::close(ends[0]);
         std::signal(SIGINT, SIG_IGN);
-        std::signal(SIGTERM, SIG_DFL);
+        std::signal(SIGTERM, SIG_IGN); // sent to a whole group: the parent ends its children itself
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (::getppid() != parent) ::_exit(0); // it died before the line above
         serve_for_ever(ends[1], start);

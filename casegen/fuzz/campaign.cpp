@@ -79,7 +79,7 @@ private:
 class Campaign {
 public:
     Campaign(std::span<const Case* const> cases, const CampaignOptions& options)
-        : options_(options), plan_(make_plan(cases, options.samples)), journal_(open(options)),
+        : options_(options), plan_(make_plan(cases, options.samples)), journal_(open(cases, options)),
           regressions_(older_regressions()), findings_(options.regressions, regressions_),
           deaths_(cases.size(), 0) {
         for (const Case* c : cases) report_.kernels.push_back({c, 0, 0, {}, {}});
@@ -97,7 +97,7 @@ public:
         gpu::DeviceOptions device = options_.device;
         Workers workers(
             plan_.cases,
-            {options_.kernels, options_.pins, options_.worst, regressions_, options_.seed, device}, jobs);
+            {options_.sources, options_.pins, options_.worst, regressions_, options_.seed, device}, jobs);
         std::vector<std::uint64_t> units(jobs);
         const std::uint64_t before = report_.evaluations;
         for (;;) {
@@ -130,8 +130,8 @@ public:
     }
 
 private:
-    static Journal open(const CampaignOptions& options) {
-        return options.journal.empty() ? Journal() : Journal(options.journal);
+    static Journal open(std::span<const Case* const> cases, const CampaignOptions& options) {
+        return options.journal.empty() ? Journal() : Journal(options.journal, campaign_key(cases, options));
     }
 
     /// Those on file before the campaign began: what it found itself before it was interrupted is not.
@@ -287,11 +287,12 @@ private:
     CampaignReport report_;
 };
 
-/// Every file of a folder: what chains may depend on.
-std::string kernels_text(const std::filesystem::path& folder) {
+/// The files of a folder, names and texts.
+std::string text_of_folder(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> paths;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) paths.push_back(entry.path());
+    if (std::filesystem::is_directory(folder))
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+            if (entry.is_regular_file()) paths.push_back(entry.path());
     std::ranges::sort(paths);
     std::string text;
     for (const std::filesystem::path& path : paths)
@@ -303,30 +304,29 @@ std::string kernels_text(const std::filesystem::path& folder) {
 
 CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOptions& options,
                             const std::function<void(const CampaignProgress&)>& progress) {
-    require_kernels(options.kernels);
     std::error_code failed;
     std::filesystem::create_directories(options.regressions, failed);
     if (failed) throw Error("cannot make the folder {}: {}", options.regressions.string(), failed.message());
     return Campaign(cases, options).run(progress);
 }
 
-std::string journal_name(std::span<const Case* const> cases, const CampaignOptions& options) {
-    const glsl::Sources sources = kernel_sources(options.kernels);
-    constexpr int way_of_drawing = 2; // another one when the same seed draws other inputs
-    std::string all = fmt::format("{} {} {:#x} {} {} {}", GNOMON_VERSION, way_of_drawing, options.seed,
-                                  options.samples.value_or(0), options.shard, options.shards);
+std::string campaign_key(std::span<const Case* const> cases, const CampaignOptions& options) {
+    std::string all = fmt::format("{:#x} {} {} {} {}\n", options.seed, options.samples.value_or(0),
+                                  options.shard, options.shards, options.device.name);
+    all += read_file("/proc/self/exe"); // tables, references, tolerances, how inputs are drawn
+    all += text_of_folder(options.pins) + text_of_folder(options.worst);
     if (std::ranges::any_of(cases, [](const Case* c) { return find_chain(*c) != nullptr; }))
-        all += kernels_text(options.kernels);
+        for (const auto& [file, text] : options.sources.overlaid) all += file + '\n' + text;
     for (const Case* c : cases) {
         all += c->name + '\n';
         if (find_chain(*c)) continue;
         try {
-            all += glsl::expand(sources, standalone_source(*c), standalone_name);
+            all += glsl::expand(options.sources, standalone_source(*c), standalone_name);
         } catch (const Error& error) {
             all += error.what(); // it will be told as a compile error
         }
     }
-    return fmt::format("{:016x}.journal", hash(all));
+    return fmt::format("{:016x}", hash(all));
 }
 
 } // namespace gnomon::fuzz

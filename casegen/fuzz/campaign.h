@@ -18,7 +18,8 @@
 namespace gnomon::fuzz {
 
 struct CampaignOptions {
-    std::filesystem::path kernels, pins, worst;
+    glsl::Sources sources; ///< frozen (see there): all workers see the same kernels, whenever they begin
+    std::filesystem::path pins, worst;
     std::filesystem::path regressions; ///< folder that is read first, and written to; made if there is none
     std::filesystem::path journal;     ///< file; empty: none is kept
     /// Ends after about so many evaluations, shared among kernels by how fast their references are; else
@@ -74,7 +75,8 @@ struct CampaignProgress {
 CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOptions& options,
                             const std::function<void(const CampaignProgress&)>& progress = {});
 
-/// What a campaign's journal is called: by all that its units depend on, the kernels' text among it.
-std::string journal_name(std::span<const Case* const> cases, const CampaignOptions& options);
+/// A word for all that a campaign's units depend on: the kernels' text, what they are held against (this
+/// program), fixed inputs, options. Only a journal with this word resumes it.
+std::string campaign_key(std::span<const Case* const> cases, const CampaignOptions& options);
 
 } // namespace gnomon::fuzz

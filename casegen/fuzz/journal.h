@@ -19,8 +19,12 @@ public:
     };
 
     Journal() = default; ///< keeps nothing
-    /// Opens or begins the file. Throws Error if it cannot, or if the file is no journal.
-    explicit Journal(const std::filesystem::path& path);
+    /// Opens or begins the file. `campaign`: a word for all that its units depend on (campaign_key). Throws
+    /// Error if it cannot, if the file is no journal or that of another campaign, or if somebody else is
+    /// writing to it.
+    Journal(const std::filesystem::path& path, const std::string& campaign);
+    /// Removes the journal, if there is one. Throws Error if the file is none, or in use.
+    static void discard(const std::filesystem::path& path);
 
     const std::vector<Line>& lines() const { return lines_; } ///< of the run that was interrupted
     /// Throws Error (disk full).

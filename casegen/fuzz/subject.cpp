@@ -64,7 +64,8 @@ std::vector<std::string> Subject::failures(std::span<const Input> inputs) {
     return failures_of(case_, records, outputs, passing_truths(case_, records));
 }
 
-Regression Subject::shrunk(const Input& input, const std::string& failure, const std::string& found) {
+std::optional<Regression> Subject::regression_of(const Input& input, const std::string& failure,
+                                                 const std::string& found, bool shrinks) {
     const bool of_dispatch = failure == unwritten || failure == stray_write || failure == unstable;
     const auto still_fails = [&](std::span<const Input> candidates) {
         std::vector<bool> fails(candidates.size());
@@ -80,13 +81,13 @@ Regression Subject::shrunk(const Input& input, const std::string& failure, const
     ShrinkOptions options;
     if (case_.reference.truth) options = {512, 40, 0}; // a truth takes as long as a thousand kernels
     if (of_dispatch) options = {64, 20, 0};
-    const Shrunk simplest = shrink(case_, input, still_fails, options);
+    if (!still_fails(std::span(&input, 1)).front()) return {};
+    const Input simplest = shrinks ? shrink(case_, input, still_fails, options).input : input;
 
-    Regression regression{case_.name, failure, simplest.input, {}, {}, to_string(case_.tolerance), found};
-    const std::vector<Input> one{simplest.input};
-    const Outputs outputs = run(one);
-    const Mask* mask = case_.reference.takes_mask ? &simplest.input.mask : nullptr;
-    const Arguments with = arguments(case_, simplest.input.words, mask);
+    Regression regression{case_.name, failure, simplest, {}, {}, to_string(case_.tolerance), found};
+    const Outputs outputs = run(std::span(&simplest, 1));
+    const Mask* mask = case_.reference.takes_mask ? &simplest.mask : nullptr;
+    const Arguments with = arguments(case_, simplest.words, mask);
     regression.got = failure == unwritten ? "nothing" : format_result(case_, outputs.words);
     regression.want = format_want(case_, with);
     return regression;

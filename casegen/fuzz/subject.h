@@ -7,6 +7,7 @@
 #include "casegen/fuzz/shrink.h"
 #include "runtime/gpu/device.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,8 +32,10 @@ public:
     /// In words, per input; empty where it passes.
     std::vector<std::string> failures(std::span<const Input> inputs);
 
-    /// The regression that an input that fails shrinks to. `found`: how it was found.
-    Regression shrunk(const Input& input, const std::string& failure, const std::string& found);
+    /// The regression that an input that fails shrinks to, or is as it was met if it is not to be shrunk;
+    /// nothing if it does not fail alone, but among others only. `found`: how it was found.
+    std::optional<Regression> regression_of(const Input& input, const std::string& failure,
+                                            const std::string& found, bool shrinks);
 
 private:
     Outputs run(std::span<const Input> inputs);

@@ -34,6 +34,15 @@ std::vector<Input> regressions_of(const FuzzerOptions& options, const Case& c) {
     return inputs;
 }
 
+/// What no file can replay: a failure among the other inputs of a batch, and not on its own.
+Regression only_together(const Case& c, const std::string& failure, const std::string& found) {
+    return {
+        c.name, failure + ", among other inputs only",
+        {},     "no input fails on its own: the result depends on its place in the dispatch, or on chance",
+        {},     to_string(c.tolerance),
+        found};
+}
+
 Input input_of(const Records& records, std::size_t i) {
     const std::span<const std::uint32_t> words = records.input(i);
     return {{words.begin(), words.end()}, records.mask(i) ? *records.mask(i) : Mask()};
@@ -48,25 +57,24 @@ std::size_t unit_size(const Case& c) {
 
 struct Fuzzer::Impl {
     FuzzerOptions options;
-    glsl::Sources sources;
     gpu::Device device;
     std::map<const Case*, Subject> subjects;
     std::map<const Chain*, Judge> judges;
     std::map<std::uint64_t, std::shared_ptr<const EdgePool>> pools;
 
-    explicit Impl(FuzzerOptions given)
-        : options(std::move(given)), sources(kernel_sources(options.kernels)), device(options.device) {}
+    explicit Impl(FuzzerOptions given) : options(std::move(given)), device(options.device) {}
 
     Subject& subject(const Case& c) {
         const auto found = subjects.find(&c);
         return found != subjects.end() ? found->second
-                                       : subjects.try_emplace(&c, c, sources, device).first->second;
+                                       : subjects.try_emplace(&c, c, options.sources, device).first->second;
     }
 
     const Judge& judge(const Chain& chain) {
         const auto found = judges.find(&chain);
-        return found != judges.end() ? found->second
-                                     : judges.try_emplace(&chain, chain.judge(sources, device)).first->second;
+        return found != judges.end()
+                   ? found->second
+                   : judges.try_emplace(&chain, chain.judge(options.sources, device)).first->second;
     }
 
     std::shared_ptr<const EdgePool> pool(std::uint64_t epoch) {
@@ -268,9 +276,10 @@ UnitResult Fuzzer::run(const Unit& unit, const std::set<std::string>& known,
             fmt::format("fuzzing, seed {:#x}, round {}, as {}", impl_->options.seed, unit.round,
                         format_call(c, input.words, c.reference.takes_mask ? &input.mask : nullptr));
         told.insert(failure);
-        Regression regression{c.name, failure, input, {}, {}, to_string(c.tolerance), found};
-        if (!on_file && unit.shrink) regression = subject.shrunk(input, failure, found);
-        result.found.push_back({std::move(regression), on_file});
+        const Regression as_met{c.name, failure, input, {}, {}, to_string(c.tolerance), found};
+        const std::optional<Regression> alone =
+            on_file ? as_met : subject.regression_of(input, failure, found, unit.shrink);
+        result.found.push_back({alone ? *alone : only_together(c, failure, found), on_file});
     };
     for (std::size_t number = 0; result.evaluations < batches.total(); ++number) {
         batch = static_cast<std::uint32_t>(number);
@@ -279,7 +288,14 @@ UnitResult Fuzzer::run(const Unit& unit, const std::set<std::string>& known,
         if (const std::string failure = failure_of(outputs); !failure.empty()) {
             if (!told.contains(failure)) {
                 const std::size_t at = subject.isolate(records, failure);
-                tell(records, at < records.size() ? at : 0, failure);
+                if (at < records.size()) {
+                    tell(records, at, failure);
+                } else {
+                    told.insert(failure);
+                    const std::string found = fmt::format("fuzzing, seed {:#x}, round {}, batch {}",
+                                                          impl_->options.seed, unit.round, number);
+                    result.found.push_back({only_together(c, failure, found), false});
+                }
             }
         } else {
             for (const auto& [of_record, i] : judge_batch(subject, records, outputs, batches, told))

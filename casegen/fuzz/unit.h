@@ -19,7 +19,8 @@
 namespace gnomon::fuzz {
 
 struct FuzzerOptions {
-    std::filesystem::path kernels, pins, worst; ///< folders; pins and worst may be empty
+    glsl::Sources sources;             ///< frozen: workers that begin later must see the same kernels
+    std::filesystem::path pins, worst; ///< folders; may be empty
     std::map<std::string, std::vector<Regression>> regressions;
     std::uint64_t seed = 0;
     gpu::DeviceOptions device;

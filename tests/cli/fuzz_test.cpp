@@ -205,6 +205,44 @@ TEST_F(fuzz_verb, names_every_way_to_fail) {
     }
 }
 
+TEST_F(fuzz_verb, files_nothing_that_does_not_fail_on_its_own) {
+    const ChangedKernels changed("smsr/case_09.glsl", "    return 1.0",
+                                 "    if (gl_GlobalInvocationID.x > 5000u) return 0.37;\n    return 1.0");
+    const Ran ran = fuzz({"smsr/case_09", "--samples", "100000"}, changed.folder());
+    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("FAIL smsr/case_09: wrong, among other inputs only"));
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(fuzz_verb, resumes_its_own_campaign_and_no_other) {
+    const std::string journal = (folder_.path() / "journal").string();
+    testing::run_shell(fmt::format("timeout -s INT 2 gnomon fuzz smsr --samples 1e10 --journal '{}' "
+                                   "--regressions '{}'",
+                                   journal, found_.string()));
+    const std::string kept = read_file(journal);
+    const auto refused = [&](const testing::Arguments& arguments) {
+        using testing::operator+;
+        expect_refused(folder_,
+                       testing::Arguments{"fuzz"} + arguments + testing::Arguments{"--journal", journal},
+                       "the journal of another campaign");
+    };
+    refused({"smsr/case_09", "--samples", "1e10"});
+    refused({"smsr", "--samples", "1e9"});
+    refused({"smsr", "--samples", "1e10", "--seed", "2"});
+    refused({"smsr", "--samples", "1e10", "--shard", "1/2"});
+    const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y < 0.98 * along_x");
+    refused({"smsr", "--samples", "1e10", "--kernels", changed.folder().string()});
+    EXPECT_EQ(read_file(journal), kept);
+    EXPECT_EQ(fuzz({"smsr/case_09", "--samples", "1e5", "--journal", journal, "--restart"}).exit_code, 0);
+}
+
+TEST_F(fuzz_verb, does_not_blame_a_kernel_for_the_end_of_its_process_group) {
+    const Ran ran = testing::run_shell(
+        fmt::format("timeout -s TERM 3 gnomon fuzz smsr --samples 1e10 --regressions '{}'", found_.string()));
+    EXPECT_THAT(ran.out, HasSubstr("interrupted; the same command goes on from here"));
+    EXPECT_THAT(ran.out, HasSubstr("0 failures"));
+}
+
 TEST_F(fuzz_verb, goes_on_where_it_was_killed) {
     const ChangedKernels changed("smsr/case_09.glsl", "1.0 - p.y < along_x", "1.0 - p.y < 0.98 * along_x");
     const std::string journal = (folder_.path() / "journal").string();
@@ -248,6 +286,7 @@ TEST_F(fuzz_verb, refuses_what_it_cannot_do_with_one_line) {
     refused({"smsr", "--shard", "3/2"}, "--shard 3/2");
     refused({"smsr", "--shard", "0/2"}, "--shard 0/2");
     refused({"smsr", "--shard", "1/2x"}, "--shard 1/2x");
+    refused({"smsr", "--seconds", "nan"}, "--seconds");
     refused({"smsr", "--seed", "x"}, "x");
     refused({"smsr", "--samples", "0"}, "--samples");
     refused({"smsr", "--samples", "1e"}, "--samples");
@@ -263,6 +302,8 @@ TEST_F(fuzz_verb, refuses_what_it_cannot_do_with_one_line) {
     refused({"smsr", "--regressions", found_.string()}, "a.json: not JSON");
     write_file(folder_.path() / "diary", "dear diary\n");
     refused({"smsr", "--journal", (folder_.path() / "diary").string()}, "not a journal");
+    refused({"smsr", "--journal", (folder_.path() / "diary").string(), "--restart"}, "not a journal");
+    EXPECT_EQ(read_file(folder_.path() / "diary"), "dear diary\n");
 }
 
 } // namespace

@@ -9,12 +9,12 @@ FUZZ_TARGET(journal) {
     const std::filesystem::path& path = file.write(fuzzing::text_of(data, size));
     std::vector<fuzz::Journal::Line> lines;
     fuzzing::is_read([&] {
-        fuzz::Journal journal(path);
+        fuzz::Journal journal(path, "campaign");
         lines = journal.lines();
         journal.add({7, "{}"});
     });
     if (lines.empty()) return 0;
-    REQUIRE(fuzz::Journal(path).lines().size() == lines.size() + 1);
+    REQUIRE(fuzz::Journal(path, "campaign").lines().size() == lines.size() + 1);
     for (const fuzz::Journal::Line& line : lines) fuzzing::is_read([&] { fuzz::parse_reply(line.text); });
     return 0;
 }
