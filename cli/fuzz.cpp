@@ -66,7 +66,9 @@ int run(const FuzzCommand& options, const Common& common, bool limited, const st
         campaign.journal = folder / (key + ".journal");
     }
     if (options.restart) fuzz::Journal::discard(campaign.journal);
-    fuzz::load_regressions(campaign.regressions); // malformed ones are told before anything is printed
+    // What is wrong with these is told before anything is printed.
+    fuzz::load_regressions(campaign.regressions);
+    fuzz::make_regressions_folder(campaign.regressions);
     { const fuzz::Journal journal(campaign.journal, key); }
     campaign.stop = &interrupted_by_signals();
     fuzz::CampaignReport report;

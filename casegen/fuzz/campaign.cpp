@@ -304,9 +304,7 @@ std::string text_of_folder(const std::filesystem::path& folder) {
 
 CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOptions& options,
                             const std::function<void(const CampaignProgress&)>& progress) {
-    std::error_code failed;
-    std::filesystem::create_directories(options.regressions, failed);
-    if (failed) throw Error("cannot make the folder {}: {}", options.regressions.string(), failed.message());
+    make_regressions_folder(options.regressions);
     return Campaign(cases, options).run(progress);
 }
 

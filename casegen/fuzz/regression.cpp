@@ -93,8 +93,14 @@ std::string format_regression(const Regression& regression) {
 }
 
 Regression parse_regression(std::string_view text, const std::string& name) {
-    const Json object = Json::parse(text, nullptr, false);
-    if (object.is_discarded()) throw Error("{}: not JSON", name);
+    Json object;
+    try {
+        object = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw Error("{}: not JSON (byte {}); restore the file, or remove it", name, error.byte);
+    } catch (const Json::out_of_range&) {
+        throw Error("{}: not JSON (a number that is too large); restore the file, or remove it", name);
+    }
     if (!object.is_object()) throw Error("{}: not a JSON object", name);
     for (const auto& [key, value] : object.items())
         if (std::ranges::find(fields, key) == fields.end())
@@ -143,6 +149,12 @@ std::map<std::string, std::vector<Regression>> load_regressions(const std::files
         regressions[regression.kernel].push_back(std::move(regression));
     }
     return regressions;
+}
+
+void make_regressions_folder(const std::filesystem::path& folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed) throw Error("cannot make the folder {}: {}", folder.string(), failed.message());
 }
 
 } // namespace gnomon::fuzz

@@ -35,4 +35,7 @@ std::string file_name(const Regression& regression);
 /// (a file in its place; see parse_regression; a file that is not called *.json: it would be overlooked).
 std::map<std::string, std::vector<Regression>> load_regressions(const std::filesystem::path& folder);
 
+/// If there is none. Throws Error.
+void make_regressions_folder(const std::filesystem::path& folder);
+
 } // namespace gnomon::fuzz

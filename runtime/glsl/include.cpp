@@ -52,6 +52,8 @@ struct Expansion {
             const std::size_t end = source.find('\n');
             const std::string_view line = source.substr(0, end);
             source.remove_prefix(end == std::string_view::npos ? source.size() : end + 1);
+            if (line.find('\0') != line.npos) // glslang would take it for the text's end
+                throw CompileError("{}:{}: a NUL byte: this is no text", name, number);
             const std::optional<Include> include = parse_include(line);
             if (!include) {
                 text += line;

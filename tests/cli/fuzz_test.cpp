@@ -297,9 +297,10 @@ TEST_F(fuzz_verb, refuses_what_it_cannot_do_with_one_line) {
     refused({"smsr", "--kernels", "/nowhere"}, "/nowhere");
     write_file(folder_.path() / "a_file", "");
     refused({"smsr", "--regressions", (folder_.path() / "a_file").string()}, "a_file: not a folder");
+    refused({"smsr", "--regressions", "/proc/nowhere"}, "cannot make the folder /proc/nowhere");
     fs::create_directories(found_);
     write_file(found_ / "a.json", "{");
-    refused({"smsr", "--regressions", found_.string()}, "a.json: not JSON");
+    refused({"smsr", "--regressions", found_.string()}, "a.json: not JSON (byte 2)");
     write_file(folder_.path() / "diary", "dear diary\n");
     refused({"smsr", "--journal", (folder_.path() / "diary").string()}, "not a journal");
     refused({"smsr", "--journal", (folder_.path() / "diary").string(), "--restart"}, "not a journal");

@@ -84,6 +84,23 @@ TEST(glsl, nothing_but_a_comment_stands_behind_an_include) {
     }
 }
 
+TEST(glsl, frozen_sources_see_no_later_edit) {
+    const TemporaryFolder folder;
+    folder.write("a.glsl", "int before;\n");
+    const glsl::Sources live{folder.path(), {}}, frozen = glsl::frozen(live);
+    folder.write("a.glsl", "int after;\n");
+    EXPECT_EQ(count_of(glsl::expand(live, "#include \"a.glsl\"\n", "m"), "int after;"), 1u);
+    EXPECT_EQ(count_of(glsl::expand(frozen, "#include \"a.glsl\"\n", "m"), "int before;"), 1u);
+    EXPECT_EQ(glsl::text_of(frozen, "a.glsl"), "int before;\n");
+    EXPECT_THROW(glsl::text_of(frozen, "gone.glsl"), Error);
+}
+
+TEST(glsl, a_nul_byte_is_an_error_on_its_line) {
+    using namespace std::string_literals;
+    const std::string message = message_of({testing::kernels_folder(), {}}, "int a;\nint\0 b;\n"s);
+    EXPECT_NE(message.find(":2: a NUL byte"), message.npos) << message;
+}
+
 TEST(glsl, an_error_is_on_the_author_s_line) {
     const glsl::Sources sources{testing::kernels_folder(), {}};
     EXPECT_TRUE(message_of(sources, std::string(head) + "\nvoid main() { int i = missing; }\n")
