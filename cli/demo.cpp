@@ -129,7 +129,7 @@ int run(const std::filesystem::path& folder, const Common& common, const std::st
     report["triangles"] = scene.triangles.size();
     report["view"] = view_json(camera, light, settings);
     for (const Judged& judged : all) report["techniques"].push_back(judged_json(judged));
-    write_file(report_path, report.dump(2) + "\n");
+    write_file(report_path, report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     fmt::print("{} x {} pixels, shadow map {}, {} triangles, {}\n{}", settings.width, settings.height,
                settings.shadow_map, scene.triangles.size(), device.info().name, judged_table(all));
     fmt::print("\npictures and report.json are in {}, every case in {}, the radiance's forms in {}\n",

@@ -58,18 +58,18 @@ int run(const FuzzCommand& options, const Common& common, bool limited, const st
     parse_shard(options.shard, campaign);
     require_kernels(common.kernels);
     campaign.sources = glsl::frozen(kernel_sources(common.kernels));
-    const std::string key = fuzz::campaign_key(cases, campaign);
+    campaign.key = fuzz::campaign_key(cases, campaign);
     campaign.journal = options.journal;
     if (campaign.journal.empty()) {
         const std::filesystem::path folder = cache_directory() / "fuzz";
         std::filesystem::create_directories(folder);
-        campaign.journal = folder / (key + ".journal");
+        campaign.journal = folder / (campaign.key + ".journal");
     }
     if (options.restart) fuzz::Journal::discard(campaign.journal);
     // What is wrong with these is told before anything is printed.
     fuzz::load_regressions(campaign.regressions);
     fuzz::make_regressions_folder(campaign.regressions);
-    { const fuzz::Journal journal(campaign.journal, key); }
+    { const fuzz::Journal journal(campaign.journal, campaign.key); }
     campaign.stop = &interrupted_by_signals();
     fuzz::CampaignReport report;
     {
@@ -120,12 +120,13 @@ void add_fuzz(CLI::App& app, Common& common, int& exit_code) {
     verb->add_option("--format", options->format, "text or json")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
-    verb->footer("Exit code 1 if anything fails. Every check begins with what is found here. An interrupted "
-                 "campaign is\n"
-                 "resumed by the same command. A batch may take 5 s unless --time-limit says otherwise.\n\n"
-                 "  gnomon fuzz                                one minute, all kernels and chains\n"
-                 "  gnomon fuzz 'smsr/case_*' --samples 1e9    a billion inputs\n"
-                 "  gnomon fuzz --seconds 28800 --shard 2/8    a night on the second of eight machines");
+    verb->footer(
+        "Exit code 1 if anything fails, or if --samples are interrupted. Every check begins with what "
+        "is found\nhere. An interrupted campaign is resumed by the same command of the same build. A "
+        "batch may take 5 s\nunless --time-limit says otherwise.\n\n"
+        "  gnomon fuzz                                one minute, all kernels and chains\n"
+        "  gnomon fuzz 'smsr/case_*' --samples 1e9    a billion inputs\n"
+        "  gnomon fuzz --seconds 28800 --shard 2/8    a night on the second of eight machines");
     verb->callback([options, &app, &common, &exit_code] {
         exit_code = run(*options, common, app.count("--time-limit") > 0, replay_options(app));
     });

@@ -33,7 +33,7 @@ struct Answer {
 };
 
 /// A fork of this process that serves one request after the other. It dies with this object, and with this
-/// process however that ends; it ignores SIGINT, which a terminal sends to a whole group. Fork before this
+/// process however that ends; it ignores SIGINT and SIGTERM, which are sent to whole groups. Fork before this
 /// process has threads or a device: neither survives in a child.
 class Child {
 public:

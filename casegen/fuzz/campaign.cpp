@@ -79,7 +79,7 @@ private:
 class Campaign {
 public:
     Campaign(std::span<const Case* const> cases, const CampaignOptions& options)
-        : options_(options), plan_(make_plan(cases, options.samples)), journal_(open(cases, options)),
+        : options_(options), plan_(make_plan(cases, options.samples)), journal_(open(options)),
           regressions_(older_regressions()), findings_(options.regressions, regressions_),
           deaths_(cases.size(), 0) {
         for (const Case* c : cases) report_.kernels.push_back({c, 0, 0, {}, {}});
@@ -123,15 +123,14 @@ public:
             take_in(unit, outcome.reply);
         }
         report_.evaluations_now = report_.evaluations - before;
-        report_.interrupted = options_.stop && *options_.stop;
         report_.findings = findings_.all();
         if (!report_.interrupted) journal_.finish();
         return std::move(report_);
     }
 
 private:
-    static Journal open(std::span<const Case* const> cases, const CampaignOptions& options) {
-        return options.journal.empty() ? Journal() : Journal(options.journal, campaign_key(cases, options));
+    static Journal open(const CampaignOptions& options) {
+        return options.journal.empty() ? Journal() : Journal(options.journal, options.key);
     }
 
     /// Those on file before the campaign began: what it found itself before it was interrupted is not.
@@ -150,13 +149,16 @@ private:
     }
 
     std::optional<std::uint64_t> next_unit() {
-        if (options_.stop && *options_.stop) return {};
         if (options_.until_found && findings_.count_new() > 0) return {};
         if (!plan_.rounds && report_.seconds >= options_.seconds) return {};
         for (;; ++next_) {
             if (plan_.rounds && next_ >= *plan_.units()) return {};
             if (next_ % options_.shards != options_.shard || done_.contains(next_)) continue;
-            if (report_.kernels[plan_.kernel_of(next_)].given_up.empty()) return next_++;
+            if (report_.kernels[plan_.kernel_of(next_)].given_up.empty()) {
+                report_.interrupted = options_.stop && *options_.stop; // with something left to do
+                if (report_.interrupted) return {};
+                return next_++;
+            }
             if (std::ranges::none_of(report_.kernels,
                                      [](const KernelReport& k) { return k.given_up.empty(); }))
                 return {};

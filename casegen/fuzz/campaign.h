@@ -22,6 +22,7 @@ struct CampaignOptions {
     std::filesystem::path pins, worst;
     std::filesystem::path regressions; ///< folder that is read first, and written to; made if there is none
     std::filesystem::path journal;     ///< file; empty: none is kept
+    std::string key;                   ///< campaign_key, for the journal
     /// Ends after about so many evaluations, shared among kernels by how fast their references are; else
     /// after so many seconds.
     std::optional<std::uint64_t> samples;
@@ -76,7 +77,8 @@ CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOp
                             const std::function<void(const CampaignProgress&)>& progress = {});
 
 /// A word for all that a campaign's units depend on: the kernels' text, what they are held against (this
-/// program), fixed inputs, options. Only a journal with this word resumes it.
+/// program), fixed inputs, options. Only a journal with this word resumes it. (Regressions on file are not in
+/// it: the campaign itself adds some.)
 std::string campaign_key(std::span<const Case* const> cases, const CampaignOptions& options);
 
 } // namespace gnomon::fuzz

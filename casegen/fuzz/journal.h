@@ -23,7 +23,8 @@ public:
     /// Error if it cannot, if the file is no journal or that of another campaign, or if somebody else is
     /// writing to it.
     Journal(const std::filesystem::path& path, const std::string& campaign);
-    /// Removes the journal, if there is one. Throws Error if the file is none, or in use.
+    /// Removes the journal, if there is one, of whatever campaign. Throws Error if the file is none, or in
+    /// use.
     static void discard(const std::filesystem::path& path);
 
     const std::vector<Line>& lines() const { return lines_; } ///< of the run that was interrupted
@@ -32,13 +33,17 @@ public:
     /// The campaign is over: removes the file.
     void finish();
 
-private:
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
+    using File = std::unique_ptr<std::FILE, Close>;
+
+private:
+    void write(const std::string& text);
+
     std::filesystem::path path_;
+    File file_; ///< locked
     std::vector<Line> lines_;
-    std::unique_ptr<std::FILE, Close> file_;
 };
 
 } // namespace gnomon::fuzz

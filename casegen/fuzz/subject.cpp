@@ -64,8 +64,8 @@ std::vector<std::string> Subject::failures(std::span<const Input> inputs) {
     return failures_of(case_, records, outputs, passing_truths(case_, records));
 }
 
-std::optional<Regression> Subject::regression_of(const Input& input, const std::string& failure,
-                                                 const std::string& found, bool shrinks) {
+std::optional<Regression> Subject::shrunk(const Input& input, const std::string& failure,
+                                          const std::string& found) {
     const bool of_dispatch = failure == unwritten || failure == stray_write || failure == unstable;
     const auto still_fails = [&](std::span<const Input> candidates) {
         std::vector<bool> fails(candidates.size());
@@ -81,8 +81,12 @@ std::optional<Regression> Subject::regression_of(const Input& input, const std::
     ShrinkOptions options;
     if (case_.reference.truth) options = {512, 40, 0}; // a truth takes as long as a thousand kernels
     if (of_dispatch) options = {64, 20, 0};
-    if (!still_fails(std::span(&input, 1)).front()) return {};
-    const Input simplest = shrinks ? shrink(case_, input, still_fails, options).input : input;
+    const auto fails_alone = [&](const Input& one) -> bool {
+        return still_fails(std::span(&one, 1)).front();
+    };
+    if (!fails_alone(input)) return {};
+    Input simplest = shrink(case_, input, still_fails, options).input;
+    if (!fails_alone(simplest)) simplest = input; // it failed among the other candidates only
 
     Regression regression{case_.name, failure, simplest, {}, {}, to_string(case_.tolerance), found};
     const Outputs outputs = run(std::span(&simplest, 1));

@@ -32,10 +32,10 @@ public:
     /// In words, per input; empty where it passes.
     std::vector<std::string> failures(std::span<const Input> inputs);
 
-    /// The regression that an input that fails shrinks to, or is as it was met if it is not to be shrunk;
-    /// nothing if it does not fail alone, but among others only. `found`: how it was found.
-    std::optional<Regression> regression_of(const Input& input, const std::string& failure,
-                                            const std::string& found, bool shrinks);
+    /// The regression that an input shrinks to; nothing if it does not fail alone, but among others only.
+    /// `found`: how it was found.
+    std::optional<Regression> shrunk(const Input& input, const std::string& failure,
+                                     const std::string& found);
 
 private:
     Outputs run(std::span<const Input> inputs);

@@ -34,13 +34,19 @@ std::vector<Input> regressions_of(const FuzzerOptions& options, const Case& c) {
     return inputs;
 }
 
-/// What no file can replay: a failure among the other inputs of a batch, and not on its own.
+/// Of a failure so many inputs of a batch are tried alone before it is told as one that only happens among
+/// others.
+constexpr std::size_t most_tried = 64;
+
+/// What no file can replay: a failure among the other inputs of a batch, and not alone.
 Regression only_together(const Case& c, const std::string& failure, const std::string& found) {
-    return {
-        c.name, failure + ", among other inputs only",
-        {},     "no input fails on its own: the result depends on its place in the dispatch, or on chance",
-        {},     to_string(c.tolerance),
-        found};
+    return {c.name,
+            failure + ", among other inputs only",
+            {},
+            "the inputs that were tried do not fail alone: their place in the dispatch decides, or chance",
+            {},
+            to_string(c.tolerance),
+            found};
 }
 
 Input input_of(const Records& records, std::size_t i) {
@@ -195,21 +201,23 @@ private:
 };
 
 /// Judges one batch: feeds the worst ones to those that follow, and returns the failures that nobody knew,
-/// each with the first record that shows it.
-std::map<std::string, std::size_t> judge_batch(Subject& subject, const Records& records,
-                                               const Outputs& outputs, Batches& batches,
-                                               const std::set<std::string>& known) {
+/// each with the first records that show it.
+std::map<std::string, std::vector<std::size_t>> judge_batch(Subject& subject, const Records& records,
+                                                            const Outputs& outputs, Batches& batches,
+                                                            const std::set<std::string>& known) {
     const Case& c = subject.kernel();
     const auto components = static_cast<std::size_t>(c.reference.result.components);
     const std::vector<Truth> truths = measure::truths_on(c, records, 1, {});
-    std::map<std::string, std::size_t> firsts;
+    std::map<std::string, std::vector<std::size_t>> firsts;
     for (const std::size_t i : subject.quick().to_look_at(records, outputs.words)) {
         const Arguments with = arguments(c, records.input(i), records.mask(i));
         const std::span<const std::uint32_t> got(outputs.words.data() + i * components, components);
         const Agreement agreement = judge(c, with, got, truths.empty() ? nullptr : &truths[i]);
         if (!agreement.pass) {
             const std::string failure = failure_of(c, with, got, agreement);
-            if (!known.contains(failure)) firsts.try_emplace(failure, i);
+            if (known.contains(failure)) continue;
+            if (std::vector<std::size_t>& those = firsts[failure]; those.size() < most_tried)
+                those.push_back(i);
         } else if (batches.matters(agreement.error)) {
             batches.add(records, i, agreement.error);
         }
@@ -229,24 +237,38 @@ UnitResult Fuzzer::Impl::run_chain(const Chain& chain, const Unit& unit, const s
         batch = static_cast<std::uint32_t>(number);
         const std::vector<Input> inputs = batches.batch(number);
         const std::vector<std::string> failures = judge(inputs);
+        std::map<std::string, std::size_t> tried;
         for (std::size_t i = 0; i < inputs.size(); ++i) {
-            if (failures[i].empty() || !told.insert(failures[i]).second) continue;
+            const std::string& failure = failures[i];
+            if (failure.empty() || told.contains(failure)) continue;
             const bool on_file = batches.is_regression(result.evaluations + i);
+            const auto fails_alone = [&](const Input& one) {
+                return judge(std::span(&one, 1)).front() == failure;
+            };
             Input input = inputs[i];
             const std::string found = fmt::format("fuzzing, seed {:#x}, round {}, as {}", options.seed,
                                                   unit.round, chain.format(input));
-            if (!on_file && unit.shrink)
+            if (!on_file && unit.shrink) {
+                if (tried[failure]++ >= most_tried) continue;
+                if (!fails_alone(input)) {
+                    Regression regression = only_together(chain.described, failure, found);
+                    if (told.insert(regression.failure).second)
+                        result.found.push_back({std::move(regression), false});
+                    continue;
+                }
                 input = chain.shrink(input, [&](std::span<const Input> candidates) {
                     std::vector<bool> fails;
-                    for (const std::string& failure : judge(candidates))
-                        fails.push_back(failure == failures[i]);
+                    for (const std::string& each : judge(candidates)) fails.push_back(each == failure);
                     return fails;
                 });
+                if (!fails_alone(input)) input = inputs[i]; // it failed among the other candidates only
+            }
+            told.insert(failure);
             Found& told_of = result.found.emplace_back();
             told_of.regression.kernel = chain.described.name;
-            told_of.regression.failure = failures[i];
+            told_of.regression.failure = failure;
             told_of.regression.input = std::move(input);
-            told_of.regression.got = failures[i];
+            told_of.regression.got = failure;
             told_of.regression.want = fmt::format("{}", fmt::join(chain.invariants, "; "));
             told_of.regression.allowed = "nothing else";
             told_of.regression.found = found;
@@ -269,17 +291,46 @@ UnitResult Fuzzer::run(const Unit& unit, const std::set<std::string>& known,
     Batches batches(impl_->options, unit, impl_->pool(unit.round / units_per_epoch));
     UnitResult result;
     std::set<std::string> told = known;
-    const auto tell = [&](const Records& records, std::size_t i, const std::string& failure) {
-        const bool on_file = batches.is_regression(result.evaluations + i);
+    const auto found_as = [&](const Input& input) {
+        return fmt::format("fuzzing, seed {:#x}, round {}, as {}", impl_->options.seed, unit.round,
+                           format_call(c, input.words, c.reference.takes_mask ? &input.mask : nullptr));
+    };
+    const auto as_met = [&](const Records& records, const Outputs& outputs, std::size_t i,
+                            const std::string& failure) {
+        const auto components = static_cast<std::size_t>(c.reference.result.components);
         const Input input = input_of(records, i);
-        const std::string found =
-            fmt::format("fuzzing, seed {:#x}, round {}, as {}", impl_->options.seed, unit.round,
-                        format_call(c, input.words, c.reference.takes_mask ? &input.mask : nullptr));
-        told.insert(failure);
-        const Regression as_met{c.name, failure, input, {}, {}, to_string(c.tolerance), found};
-        const std::optional<Regression> alone =
-            on_file ? as_met : subject.regression_of(input, failure, found, unit.shrink);
-        result.found.push_back({alone ? *alone : only_together(c, failure, found), on_file});
+        return Regression{
+            c.name,
+            failure,
+            input,
+            failure == unwritten
+                ? "nothing"
+                : format_result(c, std::span(outputs.words).subspan(i * components, components)),
+            format_want(c, arguments(c, records.input(i), records.mask(i))),
+            to_string(c.tolerance),
+            found_as(input)};
+    };
+    const auto tell_together = [&](const std::string& failure, const std::string& found) {
+        Regression regression = only_together(c, failure, found);
+        if (told.insert(regression.failure).second) result.found.push_back({std::move(regression), false});
+    };
+    const auto tell = [&](const Records& records, const Outputs& outputs,
+                          const std::vector<std::size_t>& those, const std::string& failure) {
+        const bool on_file = batches.is_regression(result.evaluations + those.front());
+        if (on_file || !unit.shrink) {
+            told.insert(failure);
+            result.found.push_back({as_met(records, outputs, those.front(), failure), on_file});
+            return;
+        }
+        for (const std::size_t i : those) {
+            const Input input = input_of(records, i);
+            std::optional<Regression> alone = subject.shrunk(input, failure, found_as(input));
+            if (!alone) continue;
+            told.insert(failure);
+            result.found.push_back({std::move(*alone), false});
+            return;
+        }
+        tell_together(failure, found_as(input_of(records, those.front())));
     };
     for (std::size_t number = 0; result.evaluations < batches.total(); ++number) {
         batch = static_cast<std::uint32_t>(number);
@@ -288,18 +339,15 @@ UnitResult Fuzzer::run(const Unit& unit, const std::set<std::string>& known,
         if (const std::string failure = failure_of(outputs); !failure.empty()) {
             if (!told.contains(failure)) {
                 const std::size_t at = subject.isolate(records, failure);
-                if (at < records.size()) {
-                    tell(records, at, failure);
-                } else {
-                    told.insert(failure);
-                    const std::string found = fmt::format("fuzzing, seed {:#x}, round {}, batch {}",
-                                                          impl_->options.seed, unit.round, number);
-                    result.found.push_back({only_together(c, failure, found), false});
-                }
+                if (at < records.size())
+                    tell(records, outputs, {at}, failure);
+                else
+                    tell_together(failure, fmt::format("fuzzing, seed {:#x}, round {}, batch {}",
+                                                       impl_->options.seed, unit.round, number));
             }
         } else {
-            for (const auto& [of_record, i] : judge_batch(subject, records, outputs, batches, told))
-                tell(records, i, of_record);
+            for (const auto& [of_record, those] : judge_batch(subject, records, outputs, batches, told))
+                tell(records, outputs, those, of_record);
         }
         result.evaluations += records.size();
     }

@@ -56,10 +56,8 @@ public:
         while (true) {
             const bool stopped = options_.stop && *options_.stop;
             bool busy = false;
-            for (std::size_t worker = 0; worker < children_.size(); ++worker) {
-                while (!stopped && !children_[worker].busy() && !waiting_.empty()) give(worker);
-                busy = busy || children_[worker].busy();
-            }
+            if (!stopped) give_to_all();
+            for (const Child& child : children_) busy = busy || child.busy();
             if (!busy) return;
             const std::size_t ready = wait_for_any(children_, 0.5);
             if (ready < children_.size()) take(ready);
@@ -121,6 +119,17 @@ private:
         return waiting_.begin()->first;
     }
 
+    /// Again and again: a kernel that turns out to be broken hands its mutants on to their next users.
+    void give_to_all() {
+        for (bool gave = true; gave;) {
+            gave = false;
+            for (std::size_t worker = 0; worker < children_.size() && !waiting_.empty(); ++worker)
+                if (!children_[worker].busy()) {
+                    give(worker);
+                    gave = true;
+                }
+        }
+    }
     void give(std::size_t worker) {
         const Case* kernel = kernel_for(worker);
         std::deque<std::size_t>& mutants = waiting_[kernel];
@@ -157,16 +166,23 @@ private:
         const auto outcome = static_cast<Examined::Outcome>(said.text[0] - '0');
         if (tasks_[worker].unchanged && outcome != Examined::Outcome::broken) {
             sound_.insert(tasks_[worker].kernel);
-            send(worker, tasks_[worker].mutant, tasks_[worker].kernel);
+            go_on(worker);
             return;
         }
         judge(worker, outcome, said.text.substr(2));
     }
 
+    /// The kernel itself has passed: its mutant now, unless nothing new is to begin.
+    void go_on(std::size_t worker) {
+        if (!options_.stop || !*options_.stop) send(worker, tasks_[worker].mutant, tasks_[worker].kernel);
+    }
+
     void again_or_dead(std::size_t worker, const std::string& how) {
         const std::size_t mutant = tasks_[worker].mutant;
         if (tasks_[worker].unchanged) {
-            if (tasks_[worker].again)
+            if (sound_.contains(tasks_[worker].kernel)) // another worker has seen it pass
+                go_on(worker);
+            else if (tasks_[worker].again)
                 judge(worker, Examined::Outcome::broken, how);
             else
                 send(worker, mutant, tasks_[worker].kernel, true);
@@ -330,7 +346,7 @@ CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOp
     std::set<std::string> missing;
     const bool asks_all = cases.size() == find_cases("").size(); // what nobody includes has no mutants either
     for (const Equivalent& each : options.equivalents) {
-        if (!sources.overlaid.contains(each.file)) {
+        if (!sources.overlaid.contains(each.file) && !std::filesystem::exists(sources.root / each.file)) {
             if (missing.insert(each.file).second)
                 report.complaints.push_back(fmt::format(
                     "{}: mutants of it are listed as equivalent, but there is no such file", each.file));

@@ -28,7 +28,7 @@ struct CampaignOptions {
 };
 
 enum class Fate {
-    not_run,    ///< interrupted before
+    not_run,    ///< interrupted before, or its kernels fail unchanged
     killed,     ///< a check turned red, a driver crashed, or there was no end to it
     survived,   ///< every check that compiles it passes
     equivalent, ///< the same, and it is listed as equivalent
@@ -70,7 +70,7 @@ struct CampaignReport {
 
 /// The same for any number of jobs, but for the seconds. `done` is told how many mutants' fates are known,
 /// and of how many. Forks: call it while this process has neither threads nor a device. Throws Error for what
-/// concerns all of them: no such folder, no device, no mutant of this id.
+/// concerns all of them: no device, no mutant of this id.
 CampaignReport run_campaign(std::span<const Case* const> cases, const CampaignOptions& options,
                             const std::function<void(std::size_t done, std::size_t of)>& done = {});
 

@@ -212,16 +212,17 @@ private:
         add_all(Operator::bits, here, change_of(bit_operations, token.text));
         if (token.is("-") && !parts_.is_binary(i))
             add(Operator::sign, here, "");
-        else if (parts_.is_of_step(i))
+        else if (parts_.is_of_step(i) && (token.is("++") || token.is("--")))
             double_step(i);
+        else if (parts_.is_of_step(i) && (token.is("+=") || token.is("-=")))
+            return; // its number is changed
         else if (!token.is("+") || parts_.is_binary(i))
             add_all(Operator::arithmetic, here, change_of(arithmetics, token.text));
     }
 
     /// `++i` and `i++` go on by 2. Not by -1: that loop does not end, or when the driver wants it to, so that
-    /// a clock would tell such mutants and not their results. What adds a number has that number changed.
+    /// a clock would tell such mutants and not their results.
     void double_step(std::size_t i) {
-        if (!tokens()[i].is("++") && !tokens()[i].is("--")) return;
         const bool is_before = tokens()[i + 1].kind == Token::Kind::identifier;
         const Value step = is_before ? Value{i, i + 2} : Value{i - 1, i + 1};
         add(Operator::arithmetic, step,

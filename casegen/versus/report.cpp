@@ -28,7 +28,8 @@ const char* trend(const measure::Quantiles& a, const measure::Quantiles& b) {
 bool is_worse(const Comparison& comparison) {
     const SideReport &a = comparison.a, &b = comparison.b;
     if (is_right(a)) return !is_right(b);
-    return a.ran && (b.ran ? comparison.difference.lost > 0 : a.wrong < a.samples);
+    if (!a.ran || a.failure != "wrong") return false; // none of its results is to be trusted
+    return comparison.compared ? comparison.difference.lost > 0 : a.wrong < a.samples;
 }
 
 std::string accuracy_verdict(const Comparison& comparison) {
@@ -45,9 +46,10 @@ std::string accuracy_verdict(const Comparison& comparison) {
     if (is_right(a) && is_right(b)) return fmt::format("B is right{}: {}", trend(a.error, b.error), errors);
     if (is_right(b)) return fmt::format("B is right where A is not ({}){}", failure_text(a), behind);
     if (is_right(a)) return fmt::format("B is WRONG where A is right: {}{}", failure_text(b), behind);
-    const std::string lost = comparison.difference.lost > 0
-                                 ? fmt::format(", B on {} samples where A is", comparison.difference.lost)
-                                 : "";
+    std::string lost;
+    if (is_worse(comparison))
+        lost = comparison.compared ? fmt::format(", B on {} samples where A is", comparison.difference.lost)
+                                   : ", B on all samples where A is";
     return fmt::format("neither is right{}: A: {}; B: {}{}", lost, failure_text(a), failure_text(b), behind);
 }
 

@@ -24,7 +24,7 @@ struct Sources {
 std::string text_of(const Sources& sources, const std::string& file);
 
 /// The same with the texts that all files of the folder have now: who compiles from it later, maybe in another
-/// process, sees no edit.
+/// process, sees no edit. Folders behind symbolic links are not among them.
 Sources frozen(Sources sources);
 
 enum class Stage { compute, vertex, fragment, geometry };

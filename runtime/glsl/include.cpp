@@ -105,12 +105,14 @@ std::string text_of(const Sources& sources, const std::string& file) {
 }
 
 Sources frozen(Sources sources) {
-    constexpr auto readable = std::filesystem::directory_options::skip_permission_denied;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(sources.root, readable)) {
-        const std::string file = entry.path().lexically_relative(sources.root).generic_string();
-        if (!entry.is_regular_file() || sources.overlaid.contains(file)) continue;
+    namespace fs = std::filesystem;
+    std::error_code error, ignored;
+    for (fs::recursive_directory_iterator entry(sources.root, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string file = entry->path().lexically_relative(sources.root).generic_string();
+        if (!entry->is_regular_file(ignored) || sources.overlaid.contains(file)) continue;
         try {
-            sources.overlaid[file] = read_file(entry.path());
+            sources.overlaid[file] = read_file(entry->path());
         } catch (const Error&) { // it concerns nobody but those who include it, and they are told
         }
     }

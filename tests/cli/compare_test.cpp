@@ -335,6 +335,12 @@ TEST_F(compare_verb, counts_what_is_lost_where_a_is_not_right_everywhere_either)
     const json won = compare_one({nearly, right, "--no-time", "--samples", "4000"});
     EXPECT_EQ(won.at("difference").at("wrong_where_a_is_right"), 0);
     compare_one({nearly, nearly, "--no-time", "--samples", "4000"}); // is wrong, and no worse
+    // No results at all are worse than some that are right.
+    const std::string broken = write("broken.glsl", "nonsense");
+    EXPECT_THAT(compare_one({nearly, broken, "--no-time", "--samples", "4000"}, 1).at("accuracy"),
+                HasSubstr("B on all samples where A is"));
+    compare_one({broken, broken, "--no-time", "--samples", "4000"});
+    compare_one({broken, nearly, "--no-time", "--samples", "4000"});
 }
 
 TEST_F(compare_verb, survives_a_crash_and_goes_on) {
