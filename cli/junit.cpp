@@ -10,7 +10,8 @@
 namespace gnomon::cli {
 namespace {
 
-/// Without what XML cannot hold: bytes that are no UTF-8 and control characters. A message may quote any file.
+/// Without what XML cannot hold: bytes that are no UTF-8 and control characters. A message may quote any
+/// file.
 std::string characters(const std::string& text) {
     std::u32string all = boost::locale::conv::utf_to_utf<char32_t>(text);
     std::erase_if(all, [](char32_t c) {

@@ -23,8 +23,8 @@ struct Sources {
 /// The text of a file below `root`, or what stands for it. Throws Error (read_file).
 std::string text_of(const Sources& sources, const std::string& file);
 
-/// The same with the texts that all files of the folder have now: who compiles from it later, maybe in another
-/// process, sees no edit. Folders behind symbolic links are not among them.
+/// The same with the texts that all files of the folder have now: who compiles from it later, maybe in
+/// another process, sees no edit. Folders behind symbolic links are not among them.
 Sources frozen(Sources sources);
 
 enum class Stage { compute, vertex, fragment, geometry };
