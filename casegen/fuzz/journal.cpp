@@ -20,8 +20,8 @@ namespace {
 constexpr std::string_view any_title = "gnomon fuzz journal ", title = "gnomon fuzz journal 2 ";
 
 bool is_same_file(int descriptor, const std::filesystem::path& path) {
-    struct stat opened {
-    }, there{};
+    using Status = struct stat;
+    Status opened{}, there{};
     return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &there) == 0 &&
            opened.st_dev == there.st_dev && opened.st_ino == there.st_ino;
 }
@@ -34,7 +34,8 @@ Journal::File open_locked(const std::filesystem::path& path) {
         const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
         if (descriptor >= 0) file.reset(::fdopen(descriptor, "r+"));
         if (!file) throw Error("{}: {}", path.string(), std::strerror(errno));
-        struct flock whole {};
+        using Lock = struct flock;
+        Lock whole{};
         whole.l_type = F_WRLCK;
         whole.l_whence = SEEK_SET;
         if (::fcntl(descriptor, F_SETLK, &whole) != 0)
