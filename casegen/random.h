@@ -10,8 +10,7 @@ namespace gnomon {
 /// seed can be started anywhere.
 class Random {
 public:
-    explicit Random(std::uint64_t seed, std::uint64_t stream = 0)
-        : state_(mix(seed) ^ mix(stream * golden + 1)) {}
+    explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : Random(Streams(seed)[stream]) {}
 
     std::uint64_t bits() { return mix(state_ += golden); }
 
@@ -36,14 +35,29 @@ public:
 
     bool chance(double probability) { return unit() < probability; }
 
+    /// The streams of a seed, for those who ask for very many: streams[index] is Random(seed, index).
+    class Streams {
+    public:
+        explicit Streams(std::uint64_t seed) : mixed_seed_(mix(seed)) {}
+        Random operator[](std::uint64_t index) const {
+            Random random;
+            random.state_ = mixed_seed_ ^ mix(index * golden + 1);
+            return random;
+        }
+
+    private:
+        std::uint64_t mixed_seed_;
+    };
+
 private:
+    Random() = default;
     static constexpr std::uint64_t golden = 0x9e3779b97f4a7c15ull;
     static constexpr std::uint64_t mix(std::uint64_t z) {
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
         z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
         return z ^ (z >> 31);
     }
-    std::uint64_t state_;
+    std::uint64_t state_ = 0;
 };
 
 } // namespace gnomon

@@ -257,8 +257,8 @@ void Records::add(std::span<const std::uint32_t> words, const Mask* mask) {
     });
 }
 
-void Records::place_mask(std::size_t begin, const Mask* mask) {
-    mask_of_.push_back(mask);
+void Records::place_mask(std::size_t begin, std::size_t count, const Mask* mask) {
+    mask_of_.resize(mask_of_.size() + count, mask);
     if (!takes_mask_) return;
     const auto first = static_cast<std::uint32_t>(mask_words_.size());
     const auto [found, is_new] = packed_.try_emplace(mask, first);
@@ -270,7 +270,8 @@ void Records::place_mask(std::size_t begin, const Mask* mask) {
     const std::array words{found->second, static_cast<std::uint32_t>(mask->width),
                            static_cast<std::uint32_t>(mask->height),
                            static_cast<std::uint32_t>(mask->outside)};
-    std::ranges::copy(words, words_.begin() + static_cast<std::ptrdiff_t>(begin + word_count_));
+    for (std::size_t at = begin + word_count_; at < words_.size(); at += stride_)
+        std::ranges::copy(words, words_.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
 Records draw_records(const Case& c, const Sampler& sampler, std::size_t begin, std::size_t end) {

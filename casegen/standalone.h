@@ -67,9 +67,14 @@ public:
     /// The same with words and mask from `fill(std::span<std::uint32_t>) -> const Mask*`, without a copy.
     template <typename Fill>
     void add_with(Fill&& fill) {
+        add_block(1, [&](std::span<std::uint32_t> row) { return fill(row.first(word_count_)); });
+    }
+    /// `count` samples on one mask: `fill` as in add_with, of rows that begin stride() words apart.
+    template <typename Fill>
+    void add_block(std::size_t count, Fill&& fill) {
         const std::size_t begin = words_.size();
-        words_.resize(begin + stride_);
-        place_mask(begin, fill(std::span(words_).subspan(begin, word_count_)));
+        words_.resize(begin + count * stride_);
+        place_mask(begin, count, fill(std::span(words_).subspan(begin)));
     }
 
     std::size_t size() const { return mask_of_.size(); }
@@ -82,7 +87,7 @@ public:
     const Mask* mask(std::size_t index) const { return mask_of_[index]; }
 
 private:
-    void place_mask(std::size_t begin, const Mask* mask);
+    void place_mask(std::size_t begin, std::size_t count, const Mask* mask);
 
     bool takes_mask_;
     std::size_t word_count_, stride_;

@@ -3,8 +3,10 @@
 #include "casegen/mask_families.h"
 #include "casegen/worst/change.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace gnomon::fuzz {
 namespace {
@@ -15,11 +17,6 @@ Mask tiny_mask(Random& random) {
     Mask mask(width, height, true, static_cast<Outside>(random.below(3)));
     for (std::uint8_t& texel : mask.texels) texel = random.chance(density) ? 0 : 1;
     return mask;
-}
-
-/// One of a list, by the upper half of random bits.
-std::uint32_t pick(const std::vector<std::uint32_t>& list, std::uint64_t bits) {
-    return list[static_cast<std::size_t>((bits >> 32) * list.size() >> 32)];
 }
 
 } // namespace
@@ -38,24 +35,35 @@ std::shared_ptr<const EdgePool> make_fuzz_pool(std::uint64_t seed, std::uint64_t
 }
 
 Draw::Draw(const Case& c, const Sampler& sampler, std::uint64_t seed)
-    : case_(c), sampler_(sampler), seed_(seed), block_size_(c.generator ? 1 : 8) {
+    : case_(c), sampler_(sampler), seed_(seed), variations_(seed ^ hash("variations")),
+      block_size_(c.generator ? 1 : 8) {
     for (std::size_t i = 0; i < c.parameters.size(); ++i) {
         const Scalar scalar = c.reference.parameters[i].scalar;
         const Domain& domain = c.parameters[i].domain;
         for (int k = 0; k < c.reference.parameters[i].components; ++k) {
             const auto component = static_cast<std::size_t>(k);
-            Word word{scalar, domain.lower, domain.upper, c.parameters[i].name == "texel", {}, {}};
-            for (const std::vector<double>& choice : domain.choices)
-                word.choices.push_back(narrow(scalar, choice[component]));
-            word.boundary = hostile_words(scalar, domain, component);
-            words_.push_back(std::move(word));
+            words_.push_back(make_word(scalar, domain, component, c.parameters[i].name == "texel"));
         }
     }
 }
 
 const Mask* Draw::operator()(std::uint64_t index, const std::vector<worst::Row>& worst,
                              std::span<std::uint32_t> words) const {
-    return draw_block(index, index + 1, worst, [&](std::uint64_t) { return words; });
+    return draw_block(index, index + 1, worst, words, words.size());
+}
+
+const Mask* Draw::draw_block(std::uint64_t begin, std::uint64_t end, const std::vector<worst::Row>& worst,
+                             std::span<std::uint32_t> rows, std::size_t stride) const {
+    const std::uint64_t first = begin - begin % block_size_;
+    std::array<std::uint32_t, 16> words;
+    const std::span base = std::span(words).first(words_.size());
+    const Mask* mask = draw_first(first, worst, base);
+    for (std::uint64_t index = begin; index < end; ++index) {
+        const std::span<std::uint32_t> row = rows.subspan((index - begin) * stride, words_.size());
+        std::ranges::copy(base, row.begin());
+        if (index != first) vary(index, row);
+    }
+    return mask;
 }
 
 const Mask* Draw::draw_first(std::uint64_t index, const std::vector<worst::Row>& worst,
@@ -82,7 +90,7 @@ const Mask* Draw::draw_first(std::uint64_t index, const std::vector<worst::Row>&
     } else if (choice <= 6 && !words.empty()) {
         for (int times = random.between(1, 2); times > 0; --times) {
             const std::uint32_t at = random.below(static_cast<std::uint32_t>(words.size()));
-            const std::vector<std::uint32_t>& values = words_[at].boundary;
+            const std::span values = std::span(words_[at].values).first(words_[at].boundary_values);
             words[at] = values[random.below(static_cast<std::uint32_t>(values.size()))];
         }
     }
@@ -91,8 +99,7 @@ const Mask* Draw::draw_first(std::uint64_t index, const std::vector<worst::Row>&
 
 void Draw::vary(std::uint64_t index, std::span<std::uint32_t> words) const {
     if (words.empty()) return;
-    constexpr std::uint64_t stream = hash("variations");
-    Random random(seed_ ^ stream, index);
+    Random random = variations_[index];
     const std::uint64_t which = random.bits();
     const std::uint64_t times = 1 + (which & 0xffff) * 3 / 0x10000;
     for (std::uint64_t n = 0; n < times; ++n) {
@@ -101,39 +108,76 @@ void Draw::vary(std::uint64_t index, std::span<std::uint32_t> words) const {
     }
 }
 
+Draw::Word Draw::make_word(Scalar scalar, const Domain& domain, std::size_t component, bool is_texel) {
+    using Takes = Way::Takes;
+    Word word{.scalar = scalar, .lower = domain.lower, .extent = domain.upper - domain.lower};
+    word.values = hostile_words(scalar, domain, component);
+    word.boundary_values = word.values.size();
+    for (const std::vector<double>& choice : domain.choices)
+        word.values.push_back(narrow(scalar, choice[component]));
+
+    constexpr std::uint32_t all = ~0u;
+    const auto way = [](Takes takes, std::uint64_t count) { // k from 0 to count - 1
+        return Way{.takes = takes, .before = 32, .after = 32, .count = count};
+    };
+    const auto counted = [&](std::uint32_t kept, std::uint32_t offset, std::uint64_t count) {
+        Way made = way(Takes::counted, count);
+        made.kept = kept;
+        made.offset = offset;
+        return made;
+    };
+    const auto listed = [&](std::size_t begin, std::size_t end) {
+        Way made = way(Takes::listed, end - begin);
+        made.k_bits = all;
+        made.listed_at = static_cast<std::uint32_t>(begin);
+        return made;
+    };
+    // Instead of what was added before, in the draws `first` to `last` of sixteen, or in an eighth of those.
+    const auto add = [&](std::size_t first, std::size_t last, const Way& added,
+                         std::optional<std::size_t> eighth = {}) {
+        for (std::size_t i = 0; i < word.way_of.size(); ++i)
+            if (i % 16 >= first && i % 16 <= last && i / 16 == eighth.value_or(i / 16))
+                word.way_of[i] = static_cast<std::uint8_t>(word.ways.size());
+        word.ways.push_back(added);
+    };
+    if (!domain.choices.empty()) {
+        add(0, 15, listed(word.boundary_values, word.values.size()));
+    } else if (is_texel) {
+        add(0, 15, counted(all, 0u - 4, 9)); // up to 4 away; wraps
+    } else if (scalar != Scalar::float32) {
+        add(0, 15, {.takes = Takes::whole});
+        word.extent += 1;
+    } else {
+        add(0, 15, {.takes = Takes::real});
+        add(1, 1, counted(0, 0, std::uint64_t{1} << 32));       // any bits
+        add(2, 2, counted(all, 0u - 8, 17));                    // some ulps away
+        if (domain.lower >= 0 && domain.upper > domain.lower) { // patterns rise for positive numbers only
+            const std::uint32_t low = narrow(scalar, domain.lower), high = narrow(scalar, domain.upper);
+            add(3, 4, counted(0, low, std::uint64_t{high - low} + 1));
+        }
+        for (std::size_t eighth = 0; eighth < 8; ++eighth) { // where ties are: multiples of a power of two
+            const std::uint64_t parts = std::uint64_t{1} << eighth;
+            Way tie = way(Takes::real, parts + 1);
+            tie.unit = 1 / static_cast<double>(parts);
+            add(5, 7, tie, eighth);
+        }
+    }
+    add(0, 0, listed(0, word.boundary_values));
+    return word;
+}
+
+/// Goes all ways and takes one of the results: nobody can predict which, and a branch that goes the other way
+/// costs more than all of them.
 std::uint32_t Draw::drawn_anew(const Word& word, std::uint32_t now, std::uint64_t bits) {
-    const std::uint64_t kind = bits & 15;
-    if (kind == 0) return pick(word.boundary, bits);
-    if (!word.choices.empty()) return pick(word.choices, bits);
-    const double share = static_cast<double>(bits >> 11) * 0x1p-53;
-    if (word.scalar != Scalar::float32) {
-        if (word.is_texel) return now + static_cast<std::uint32_t>((bits >> 32) * 9 >> 32) - 4; // wraps
-        return narrow(word.scalar, std::floor(word.lower + share * (word.upper - word.lower + 1)));
-    }
-    switch (kind) {
-    case 1:
-        return static_cast<std::uint32_t>(bits >> 32);
-    case 2: // a few ulps away
-        return now + static_cast<std::uint32_t>((bits >> 32) * 17 >> 32) - 8;
-    case 3:
-    case 4: { // patterns are ordered for positive numbers only
-        if (!(word.lower >= 0 && word.upper > word.lower)) break;
-        const std::uint32_t low = narrow(Scalar::float32, word.lower),
-                            high = narrow(Scalar::float32, word.upper);
-        return low + static_cast<std::uint32_t>((bits >> 32) * (std::uint64_t{high - low} + 1) >> 32);
-    }
-    case 5:
-    case 6:
-    case 7: { // where ties are: multiples of a power of two of the range
-        const std::uint64_t steps = std::uint64_t{1} << (bits >> 4 & 7);
-        const std::uint64_t step = (bits >> 32) * (steps + 1) >> 32;
-        return narrow(Scalar::float32, word.lower + (word.upper - word.lower) * static_cast<double>(step) /
-                                                        static_cast<double>(steps));
-    }
-    default:
-        break;
-    }
-    return narrow(Scalar::float32, word.lower + (word.upper - word.lower) * share);
+    const Way& way = word.ways[word.way_of[bits % 128]];
+    const std::uint64_t k = (bits >> way.before) * way.count >> way.after;
+    const double number =
+        word.lower + word.extent * (static_cast<double>(static_cast<std::int64_t>(k)) * way.unit);
+    if (way.takes == Way::Takes::whole) return narrow(word.scalar, std::floor(number));
+    const std::array results{narrow(Scalar::float32, number),
+                             (now & way.kept) + way.offset + static_cast<std::uint32_t>(k),
+                             word.values[(k & way.k_bits) + way.listed_at]};
+    return results[static_cast<std::size_t>(way.takes)];
 }
 
 } // namespace gnomon::fuzz

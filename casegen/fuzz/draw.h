@@ -8,10 +8,10 @@
 #include "casegen/sampling.h"
 #include "casegen/worst/search.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace gnomon::fuzz {
@@ -33,31 +33,31 @@ public:
     const Mask* operator()(std::uint64_t index, const std::vector<worst::Row>& worst,
                            std::span<std::uint32_t> words) const;
 
-    /// Inputs `begin` to `end` of one block, the same as one by one: `row(i)` is the words of input begin +
-    /// i.
-    template <typename Row>
+    /// Inputs `begin` to `end` of one block, the same as one by one, into rows that begin `stride` words
+    /// apart.
     const Mask* draw_block(std::uint64_t begin, std::uint64_t end, const std::vector<worst::Row>& worst,
-                           const Row& row) const {
-        const std::uint64_t first = begin - begin % block_size_;
-        std::array<std::uint32_t, 16> words;
-        const std::span base = std::span(words).first(words_.size());
-        const Mask* mask = draw_first(first, worst, base);
-        for (std::uint64_t index = begin; index < end; ++index) {
-            const std::span<std::uint32_t> to = row(index - begin);
-            std::ranges::copy(base, to.begin());
-            if (index != first) vary(index, to);
-        }
-        return mask;
-    }
+                           std::span<std::uint32_t> rows, std::size_t stride) const;
 
 private:
+    /// A way to draw a word anew, by k = (random bits >> before) * count >> after.
+    struct Way {
+        enum class Takes : std::uint8_t { real, counted, listed, whole } takes = Takes::real;
+        std::uint8_t before = 11, after = 0;
+        std::uint64_t count = 1;
+        double unit = 0x1p-53;              ///< real, whole: k times this share of the range
+        std::uint32_t kept = 0, offset = 0; ///< counted: these bits of what stands there, the offset and k
+        std::uint32_t k_bits = 0, listed_at = 0; ///< listed: value number (k & k_bits) + listed_at
+    };
     /// A word of the record, with all that drawing it anew asks for looked up once.
     struct Word {
-        Scalar scalar;
-        double lower, upper;
-        bool is_texel;
-        std::vector<std::uint32_t> choices, boundary;
+        Scalar scalar = Scalar::float32;
+        double lower = 0, extent = 0;      ///< real, whole: from where, and how far
+        std::vector<std::uint32_t> values; ///< listed: boundary values, then the domain's
+        std::size_t boundary_values = 0;
+        std::vector<Way> ways;
+        std::array<std::uint8_t, 128> way_of{}; ///< by seven random bits
     };
+    static Word make_word(Scalar scalar, const Domain& domain, std::size_t component, bool is_texel);
     const Mask* draw_first(std::uint64_t index, const std::vector<worst::Row>& worst,
                            std::span<std::uint32_t> words) const;
     void vary(std::uint64_t index, std::span<std::uint32_t> words) const;
@@ -66,6 +66,7 @@ private:
     const Case& case_;
     const Sampler& sampler_;
     std::uint64_t seed_;
+    Random::Streams variations_;
     std::size_t block_size_;
     std::vector<Word> words_;
 };

@@ -56,39 +56,45 @@ std::uint64_t few_of(Type type, const Domain& domain) {
 } // namespace
 
 QuickJudge::QuickJudge(const Case& c) : case_(c) {
+    std::size_t first = 0;
     for (std::size_t i = 0; i < c.parameters.size(); ++i) {
         const Type type = c.reference.parameters[i];
         const Domain& domain = c.parameters[i].domain;
         const bool listed = !domain.choices.empty();
         const auto components = static_cast<std::size_t>(type.components);
         if (const std::uint64_t few = listed ? few_of(type, domain) : 0; few != 0)
-            few_.push_back({bounds_.size(), few});
+            few_.push_back({first, few});
         else if (listed)
-            choices_.push_back({bounds_.size(), components, &domain.choices});
+            choices_.push_back({first, components, &domain.choices});
+        std::vector<Word>& words = type.scalar == Scalar::float32 ? floats_ : wholes_;
         for (std::size_t k = 0; k < components; ++k)
-            bounds_.push_back(
-                {type.scalar, listed ? -infinity : domain.lower, listed ? infinity : domain.upper});
+            words.push_back({first + k, type.scalar, listed ? -infinity : domain.lower,
+                             listed ? infinity : domain.upper});
+        first += components;
     }
 }
 
-bool QuickJudge::inside(std::span<const std::uint32_t> words, const Mask* mask) const {
+QuickJudge::Read QuickJudge::read(std::span<const std::uint32_t> words, const Mask* mask) const {
+    Read record;
+    record.arguments.mask = mask;
+    std::array<double, 16>& numbers = record.arguments.numbers;
     unsigned within = 1; // no way out halfway: a branch that nobody can predict costs more than the rest
-    for (std::size_t i = 0; i < bounds_.size(); ++i) {
-        const double number = widen(bounds_[i].scalar, words[i]);
-        within &= bit(number >= bounds_[i].lower) & bit(number <= bounds_[i].upper);
-    }
+    const auto take = [&](const Word& word, Scalar scalar) {
+        const double number = numbers[word.number] = widen(scalar, words[word.number]);
+        within &= bit(number >= word.lower) & bit(number <= word.upper);
+    };
+    for (const Word& word : floats_) take(word, Scalar::float32);
+    for (const Word& word : wholes_) take(word, word.scalar);
     for (const Few& few : few_)
         within &= bit(words[few.word] < 64) & bit((few.allowed >> (words[few.word] & 63) & 1) != 0);
-    if (within == 0) return false;
-    for (const Choices& choices : choices_)
-        if (std::ranges::none_of(*choices.values, [&](const std::vector<double>& choice) {
-                for (std::size_t k = 0; k < choices.components; ++k)
-                    if (choice[k] != widen(bounds_[choices.word + k].scalar, words[choices.word + k]))
-                        return false;
-                return true;
-            }))
-            return false;
-    return !case_.where || case_.where(arguments(case_, words, mask));
+    const auto is_listed = [&](const Choices& choices) {
+        const std::span of = std::span(numbers).subspan(choices.word, choices.components);
+        return std::ranges::any_of(*choices.values,
+                                   [&](const auto& values) { return std::ranges::equal(values, of); });
+    };
+    record.inside = within != 0 && std::ranges::all_of(choices_, is_listed) &&
+                    (!case_.where || case_.where(record.arguments));
+    return record;
 }
 
 std::vector<std::size_t> QuickJudge::to_look_at(const Records& records,
@@ -105,8 +111,7 @@ std::vector<std::size_t> QuickJudge::to_look_at(const Records& records,
     const bool by_difference = tolerance.kind == Tolerance::Kind::absolute;
     Largest largest;
     for (std::size_t i = 0; i < records.size(); ++i) {
-        const std::span<const std::uint32_t> words = records.input(i);
-        const bool defined = inside(words, records.mask(i));
+        const auto [with, defined] = read(records.input(i), records.mask(i));
         unsigned in_range = 1;
         Numbers got{};
         for (std::size_t k = 0; k < components; ++k) {
@@ -118,7 +123,6 @@ std::vector<std::size_t> QuickJudge::to_look_at(const Records& records,
             continue;
         }
         if (!defined && !case_.outside) continue;
-        const Arguments with = arguments(case_, words, records.mask(i));
         if (!defined) {
             if (!keeps_rule(case_, with, got)) found.push_back(i);
             continue;

@@ -21,11 +21,17 @@ public:
     /// that were all written. Of references with a truth: all.
     std::vector<std::size_t> to_look_at(const Records& records, std::span<const std::uint32_t> results) const;
 
-    /// in_domain() by the record's words.
-    bool inside(std::span<const std::uint32_t> words, const Mask* mask) const;
+    /// A record as a reference takes it, and whether it lies in the case's domain: arguments() and
+    /// in_domain().
+    struct Read {
+        Arguments arguments;
+        bool inside;
+    };
+    Read read(std::span<const std::uint32_t> words, const Mask* mask) const;
 
 private:
-    struct Bounds {
+    struct Word {
+        std::size_t number;
         Scalar scalar;
         double lower, upper;
     };
@@ -41,7 +47,7 @@ private:
     };
 
     const Case& case_;
-    std::vector<Bounds> bounds_; ///< per word
+    std::vector<Word> floats_, wholes_;
     std::vector<Few> few_;
     std::vector<Choices> choices_;
 };

@@ -125,17 +125,13 @@ public:
         std::size_t i = begin;
         for (; i < std::min(end, fixed_); ++i)
             records.add_with([&](std::span<std::uint32_t> words) { return sampler_->draw(i, words); });
-        std::vector<std::uint32_t> block(draw_->block_size() * word_count(case_));
         while (i < end) {
             const std::size_t in_block = (i - fixed_) % draw_->block_size();
             const std::size_t count = std::min(end - i, draw_->block_size() - in_block);
-            const std::size_t width = word_count(case_);
-            const Mask* mask =
-                draw_->draw_block(i - fixed_, i - fixed_ + count, worst_.rows(), [&](std::uint64_t n) {
-                    return std::span(block).subspan(n * width, width);
-                });
-            for (std::size_t n = 0; n < count; ++n)
-                records.add(std::span(block).subspan(n * width, width), mask);
+            records.add_block(count, [&](std::span<std::uint32_t> rows) {
+                return draw_->draw_block(i - fixed_, i - fixed_ + count, worst_.rows(), rows,
+                                         records.stride());
+            });
             i += count;
         }
         return records;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <set>
 
 namespace gnomon::fuzz {
@@ -34,6 +35,10 @@ std::vector<std::uint32_t> results_of(const Case& c, const Records& records) {
     return words;
 }
 
+bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
 TEST(quick_judge, looks_at_every_result_that_does_not_pass_and_at_the_largest_errors) {
     const auto pool = make_fuzz_pool(3, 0);
     std::size_t failing = 0, unseen = 0;
@@ -54,7 +59,12 @@ TEST(quick_judge, looks_at_every_result_that_does_not_pass_and_at_the_largest_er
         double largest = 0, largest_seen = 0;
         for (std::size_t i = 0; i < records.size(); ++i) {
             const Arguments with = arguments(*c, records.input(i), records.mask(i));
-            ASSERT_EQ(quick.inside(records.input(i), records.mask(i)), in_domain(*c, with)) << c->name;
+            const QuickJudge::Read read = quick.read(records.input(i), records.mask(i));
+            ASSERT_TRUE(std::ranges::equal(std::span(read.arguments.numbers).first(word_count(*c)),
+                                           std::span(with.numbers).first(word_count(*c)), same_bits))
+                << c->name;
+            ASSERT_EQ(read.arguments.mask, with.mask) << c->name;
+            ASSERT_EQ(read.inside, in_domain(*c, with)) << c->name;
             const Agreement agreement =
                 judge(*c, with, std::span(results).subspan(i * components, components));
             failing += agreement.pass ? 0 : 1;
@@ -76,16 +86,18 @@ TEST(draw, gives_a_block_as_it_gives_its_inputs_one_by_one) {
         const auto pool = make_fuzz_pool(5, 3);
         const Sampler sampler(c, 11, pool);
         const Draw draw(c, sampler, 11);
-        std::vector<std::vector<std::uint32_t>> rows(draw.block_size());
+        const std::size_t width = word_count(c), stride = width + 3;
+        std::vector<std::uint32_t> rows(draw.block_size() * stride);
         for (std::uint64_t number = 0; number < 50; ++number) {
             const std::uint64_t begin = number * draw.block_size();
-            for (auto& row : rows) row.assign(word_count(c), 0);
-            const Mask* mask = draw.draw_block(begin, begin + draw.block_size(), {},
-                                               [&](std::uint64_t i) { return std::span(rows[i]); });
-            std::vector<std::uint32_t> one(word_count(c));
-            for (std::size_t i = 0; i < rows.size(); ++i) {
+            std::ranges::fill(rows, 0xdeadbeefu);
+            const Mask* mask = draw.draw_block(begin, begin + draw.block_size(), {}, rows, stride);
+            std::vector<std::uint32_t> one(width);
+            for (std::size_t i = 0; i < draw.block_size(); ++i) {
                 EXPECT_EQ(draw(begin + i, {}, one), mask);
-                EXPECT_EQ(one, rows[i]);
+                const std::span row = std::span(rows).subspan(i * stride, stride);
+                EXPECT_TRUE(std::ranges::equal(row.first(width), one));
+                EXPECT_EQ(std::ranges::count(row.subspan(width), 0xdeadbeefu), 3);
             }
         }
     }
