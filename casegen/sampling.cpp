@@ -3,6 +3,7 @@
 #include "casegen/mask_families.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cfloat>
 #include <cmath>
@@ -21,20 +22,23 @@ constexpr std::size_t most_combinations = 4096;
 double draw_float(Random& random, double lower, double upper) {
     const std::uint64_t bits = random.bits();
     const std::uint64_t choice = bits & 3, fraction = bits >> 11; // 53 bits
-    if (choice == 3) {
-        const std::uint64_t steps = std::uint64_t{1} << ((bits >> 2) % 9); // 1 … 256
-        return lower +
-               (upper - lower) * static_cast<double>(fraction % (steps + 1)) / static_cast<double>(steps);
-    }
-    if (choice == 2 && lower >= 0 && upper > lower) { // patterns are ordered for positive numbers only
+    // All three, for a branch to one of them would be guessed wrong half the time.
+    const double unit = static_cast<double>(static_cast<std::int64_t>(fraction)) * 0x1p-53;
+    const auto drawn = static_cast<double>(static_cast<float>(lower + (upper - lower) * unit));
+    const double uniform = std::clamp(drawn, lower, upper); // rounding to float may leave the interval
+    double pattern = uniform;
+    if (lower >= 0 && upper > lower) { // patterns are ordered for positive numbers only
         const auto low = std::bit_cast<std::uint32_t>(static_cast<float>(lower));
         const auto high = std::bit_cast<std::uint32_t>(static_cast<float>(upper));
-        return static_cast<double>(std::bit_cast<float>(
+        pattern = static_cast<double>(std::bit_cast<float>(
             static_cast<std::uint32_t>(low + fraction % (std::uint64_t{high} - low + 1))));
     }
-    const double unit = static_cast<double>(fraction) * 0x1p-53;
-    const auto drawn = static_cast<double>(static_cast<float>(lower + (upper - lower) * unit));
-    return std::clamp(drawn, lower, upper); // rounding to float may leave the interval
+    const std::uint64_t steps = std::uint64_t{1} << ((bits >> 2) % 9); // 1 … 256
+    const double tie = lower + (upper - lower) *
+                                   static_cast<double>(static_cast<std::int64_t>(fraction % (steps + 1))) /
+                                   static_cast<double>(static_cast<std::int64_t>(steps));
+    const std::array drawn_by_choice{uniform, uniform, pattern, tie};
+    return drawn_by_choice[choice];
 }
 
 } // namespace
