@@ -308,8 +308,9 @@ Plain<T> next(const double*& numbers) {
     return value;
 }
 
-template <typename R, typename... A>
-void make(Reference& reference, R (*function)(A...)) {
+/// `function` has the signature of the pointer; a lambda is called as what it is, so that it can be inlined.
+template <typename Function, typename R, typename... A>
+void make(Reference& reference, Function function, R (*)(A...)) {
     reference.result = Glsl<R>::type;
     reference.parameters = {Glsl<Plain<A>>::type...};
     reference.call = [function](const Arguments& arguments) {
@@ -321,8 +322,8 @@ void make(Reference& reference, R (*function)(A...)) {
     };
 }
 
-template <typename R, typename... A>
-void make(Reference& reference, R (*function)(const Mask&, A...)) {
+template <typename Function, typename R, typename... A>
+void make(Reference& reference, Function function, R (*)(const Mask&, A...)) {
     reference.result = Glsl<R>::type;
     reference.parameters = {Glsl<Plain<A>>::type...};
     reference.takes_mask = true;
@@ -358,7 +359,7 @@ Reference reference_by(Truth (*truth)(const Arguments&)) {
 
 template <typename Function>
 Reference::Reference(Function function) {
-    detail::make(*this, +function);
+    detail::make(*this, function, +function);
     for (const Type& type : parameters)
         words.insert(words.end(), static_cast<std::size_t>(type.components), type.scalar);
 }

@@ -62,14 +62,15 @@ QuickJudge::QuickJudge(const Case& c) : case_(c) {
         const Domain& domain = c.parameters[i].domain;
         const bool listed = !domain.choices.empty();
         const auto components = static_cast<std::size_t>(type.components);
-        if (const std::uint64_t few = listed ? few_of(type, domain) : 0; few != 0)
-            few_.push_back({first, few});
-        else if (listed)
-            choices_.push_back({first, components, &domain.choices});
-        std::vector<Word>& words = type.scalar == Scalar::float32 ? floats_ : wholes_;
-        for (std::size_t k = 0; k < components; ++k)
-            words.push_back({first + k, type.scalar, listed ? -infinity : domain.lower,
-                             listed ? infinity : domain.upper});
+        if (const std::uint64_t few = listed ? few_of(type, domain) : 0; few != 0) {
+            few_.push_back({first, type.scalar, few});
+        } else {
+            if (listed) choices_.push_back({first, components, &domain.choices});
+            std::vector<Bounded>& words = type.scalar == Scalar::float32 ? floats_ : wholes_;
+            for (std::size_t k = 0; k < components; ++k)
+                words.push_back({first + k, type.scalar, listed ? -infinity : domain.lower,
+                                 listed ? infinity : domain.upper});
+        }
         first += components;
     }
 }
@@ -79,14 +80,18 @@ QuickJudge::Read QuickJudge::read(std::span<const std::uint32_t> words, const Ma
     record.arguments.mask = mask;
     std::array<double, 16>& numbers = record.arguments.numbers;
     unsigned within = 1; // no way out halfway: a branch that nobody can predict costs more than the rest
-    const auto take = [&](const Word& word, Scalar scalar) {
-        const double number = numbers[word.number] = widen(scalar, words[word.number]);
-        within &= bit(number >= word.lower) & bit(number <= word.upper);
+    const auto take = [&](const Bounded& bounded, Scalar scalar) {
+        const double number = widen(scalar, words[bounded.word]);
+        numbers[bounded.word] = number;
+        within &= bit(number >= bounded.lower) & bit(number <= bounded.upper);
     };
-    for (const Word& word : floats_) take(word, Scalar::float32);
-    for (const Word& word : wholes_) take(word, word.scalar);
-    for (const Few& few : few_)
-        within &= bit(words[few.word] < 64) & bit((few.allowed >> (words[few.word] & 63) & 1) != 0);
+    for (const Bounded& bounded : floats_) take(bounded, Scalar::float32);
+    for (const Bounded& bounded : wholes_) take(bounded, bounded.scalar);
+    for (const Few& few : few_) {
+        const std::uint32_t word = words[few.word];
+        numbers[few.word] = widen(few.scalar, word);
+        within &= bit(word < 64) & bit((few.allowed >> (word & 63) & 1) != 0);
+    }
     const auto is_listed = [&](const Choices& choices) {
         const std::span of = std::span(numbers).subspan(choices.word, choices.components);
         return std::ranges::any_of(*choices.values,

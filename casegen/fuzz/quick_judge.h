@@ -30,14 +30,16 @@ public:
     Read read(std::span<const std::uint32_t> words, const Mask* mask) const;
 
 private:
-    struct Word {
-        std::size_t number;
+    /// A word that takes the numbers of an interval.
+    struct Bounded {
+        std::size_t word;
         Scalar scalar;
         double lower, upper;
     };
-    /// A word that takes some of the numbers 0 to 63 only: a bit for each.
+    /// A word that takes some of the whole numbers 0 to 63 only: a bit for each.
     struct Few {
         std::size_t word;
+        Scalar scalar;
         std::uint64_t allowed;
     };
     /// A parameter that takes other listed values only, and where its first component is.
@@ -47,7 +49,7 @@ private:
     };
 
     const Case& case_;
-    std::vector<Word> floats_, wholes_;
+    std::vector<Bounded> floats_, wholes_;
     std::vector<Few> few_;
     std::vector<Choices> choices_;
 };
