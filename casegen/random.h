@@ -6,6 +6,9 @@
 
 namespace gnomon {
 
+/// A number below 2^63: a signed one is converted by one instruction, an unsigned one by several.
+inline double to_double(std::uint64_t n) { return static_cast<double>(static_cast<std::int64_t>(n)); }
+
 /// SplitMix64 (Steele, Lea, Flood 2014): a counter put through a mixing function, so that stream `index` of a
 /// seed can be started anywhere.
 class Random {
@@ -31,7 +34,7 @@ public:
     }
 
     /// A multiple of 2^-53 in [0, 1).
-    double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+    double unit() { return to_double(bits() >> 11) * 0x1p-53; }
 
     bool chance(double probability) { return unit() < probability; }
 

@@ -22,8 +22,8 @@ constexpr std::size_t most_combinations = 4096;
 double draw_float(Random& random, double lower, double upper) {
     const std::uint64_t bits = random.bits();
     const std::uint64_t choice = bits & 3, fraction = bits >> 11; // 53 bits
-    // All three, for a branch to one of them would be guessed wrong half the time.
-    const double unit = static_cast<double>(static_cast<std::int64_t>(fraction)) * 0x1p-53;
+    // All three ways, for the processor would guess half the time wrongly which is taken.
+    const double unit = to_double(fraction) * 0x1p-53;
     const auto drawn = static_cast<double>(static_cast<float>(lower + (upper - lower) * unit));
     const double uniform = std::clamp(drawn, lower, upper); // rounding to float may leave the interval
     double pattern = uniform;
@@ -34,9 +34,7 @@ double draw_float(Random& random, double lower, double upper) {
             static_cast<std::uint32_t>(low + fraction % (std::uint64_t{high} - low + 1))));
     }
     const std::uint64_t steps = std::uint64_t{1} << ((bits >> 2) % 9); // 1 … 256
-    const double tie = lower + (upper - lower) *
-                                   static_cast<double>(static_cast<std::int64_t>(fraction % (steps + 1))) /
-                                   static_cast<double>(static_cast<std::int64_t>(steps));
+    const double tie = lower + (upper - lower) * to_double(fraction % (steps + 1)) / to_double(steps);
     const std::array drawn_by_choice{uniform, uniform, pattern, tie};
     return drawn_by_choice[choice];
 }

@@ -257,7 +257,7 @@ void Records::add(std::span<const std::uint32_t> words, const Mask* mask) {
     });
 }
 
-void Records::place_mask(std::size_t begin, std::size_t count, const Mask* mask) {
+void Records::place_mask(std::size_t count, const Mask* mask) {
     mask_of_.resize(mask_of_.size() + count, mask);
     if (!takes_mask_) return;
     const auto first = static_cast<std::uint32_t>(mask_words_.size());
@@ -270,7 +270,7 @@ void Records::place_mask(std::size_t begin, std::size_t count, const Mask* mask)
     const std::array words{found->second, static_cast<std::uint32_t>(mask->width),
                            static_cast<std::uint32_t>(mask->height),
                            static_cast<std::uint32_t>(mask->outside)};
-    for (std::size_t at = begin + word_count_; at < words_.size(); at += stride_)
+    for (std::size_t at = words_.size() - count * stride_ + word_count_; at < words_.size(); at += stride_)
         std::ranges::copy(words, words_.begin() + static_cast<std::ptrdiff_t>(at));
 }
 

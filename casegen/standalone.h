@@ -74,7 +74,7 @@ public:
     void add_block(std::size_t count, Fill&& fill) {
         const std::size_t begin = words_.size();
         words_.resize(begin + count * stride_);
-        place_mask(begin, count, fill(std::span(words_).subspan(begin)));
+        place_mask(count, fill(std::span(words_).subspan(begin)));
     }
 
     std::size_t size() const { return mask_of_.size(); }
@@ -87,7 +87,7 @@ public:
     const Mask* mask(std::size_t index) const { return mask_of_[index]; }
 
 private:
-    void place_mask(std::size_t begin, std::size_t count, const Mask* mask);
+    void place_mask(std::size_t count, const Mask* mask); ///< of the last `count` records
 
     bool takes_mask_;
     std::size_t word_count_, stride_;

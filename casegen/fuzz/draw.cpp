@@ -35,7 +35,7 @@ std::shared_ptr<const EdgePool> make_fuzz_pool(std::uint64_t seed, std::uint64_t
 }
 
 Draw::Draw(const Case& c, const Sampler& sampler, std::uint64_t seed)
-    : case_(c), sampler_(sampler), seed_(seed), variations_(seed ^ hash("variations")),
+    : case_(c), sampler_(sampler), beginnings_(seed), variations_(seed ^ hash("variations")),
       block_size_(c.generator ? 1 : 8) {
     for (std::size_t i = 0; i < c.parameters.size(); ++i) {
         const Scalar scalar = c.reference.parameters[i].scalar;
@@ -68,7 +68,7 @@ const Mask* Draw::draw_block(std::uint64_t begin, std::uint64_t end, const std::
 
 const Mask* Draw::draw_first(std::uint64_t index, const std::vector<worst::Row>& worst,
                              std::span<std::uint32_t> words) const {
-    Random random(seed_, index);
+    Random random = beginnings_[index];
     const std::uint64_t bits = random.bits();
     const std::uint64_t choice = bits & 15;
     if (choice < 4 && !worst.empty()) {
@@ -142,7 +142,7 @@ Draw::Word Draw::make_word(Scalar scalar, const Domain& domain, std::size_t comp
     };
     if (!domain.choices.empty()) {
         add(0, 15, listed(word.boundary_values, word.values.size()));
-    } else if (is_texel) {
+    } else if (is_texel && scalar != Scalar::float32) {
         add(0, 15, counted(all, 0u - 4, 9)); // up to 4 away; wraps
     } else if (scalar != Scalar::float32) {
         add(0, 15, {.takes = Takes::whole});
@@ -166,17 +166,17 @@ Draw::Word Draw::make_word(Scalar scalar, const Domain& domain, std::size_t comp
     return word;
 }
 
-/// Goes all ways and takes one of the results: nobody can predict which, and a branch that goes the other way
-/// costs more than all of them.
+/// Computes all that a way may ask for and takes one: a processor cannot guess which, and a wrong guess costs
+/// it more than all of them. Only whole numbers branch, whose words take that way nearly always.
 std::uint32_t Draw::drawn_anew(const Word& word, std::uint32_t now, std::uint64_t bits) {
     const Way& way = word.ways[word.way_of[bits % 128]];
     const std::uint64_t k = (bits >> way.before) * way.count >> way.after;
-    const double number =
-        word.lower + word.extent * (static_cast<double>(static_cast<std::int64_t>(k)) * way.unit);
+    const double number = word.lower + word.extent * (to_double(k) * way.unit);
     if (way.takes == Way::Takes::whole) return narrow(word.scalar, std::floor(number));
     const std::array results{narrow(Scalar::float32, number),
                              (now & way.kept) + way.offset + static_cast<std::uint32_t>(k),
                              word.values[(k & way.k_bits) + way.listed_at]};
+    static_assert(results.size() == static_cast<std::size_t>(Way::Takes::whole));
     return results[static_cast<std::size_t>(way.takes)];
 }
 

@@ -1,7 +1,7 @@
 // What a fuzzer runs a kernel on. Of sixteen inputs that begin a block nine are as check draws them (from
 // masks, generators and domains), two of these with one or two boundary values put in, one is random bits,
 // and four are changes of the worst ones found so far. The others of a block are its first one with one to
-// three words drawn anew: that costs a tenth of a draw, and reaches as far.
+// three words drawn anew: that costs less than half of a draw, and reaches as far.
 #pragma once
 
 #include "casegen/fuzz/failure.h"
@@ -39,20 +39,23 @@ public:
                            std::span<std::uint32_t> rows, std::size_t stride) const;
 
 private:
-    /// A way to draw a word anew, by k = (random bits >> before) * count >> after.
+    /// A way to draw a word anew, by k = (random bits >> before) * count >> after. Before and after are 11
+    /// and 0 for 53 random bits, or 32 and 32 for 0 to count - 1.
     struct Way {
+        /// In the order of drawn_anew's results; whole numbers, which are none of them, last.
         enum class Takes : std::uint8_t { real, counted, listed, whole } takes = Takes::real;
         std::uint8_t before = 11, after = 0;
         std::uint64_t count = 1;
         double unit = 0x1p-53;              ///< real, whole: k times this share of the range
-        std::uint32_t kept = 0, offset = 0; ///< counted: these bits of what stands there, the offset and k
-        std::uint32_t k_bits = 0, listed_at = 0; ///< listed: value number (k & k_bits) + listed_at
+        std::uint32_t kept = 0, offset = 0; ///< counted: (what stands there & kept) + offset + k
+        std::uint32_t k_bits = 0;           ///< listed: all, for others none, which then read the first value
+        std::uint32_t listed_at = 0;        ///< listed: value number k + listed_at
     };
     /// A word of the record, with all that drawing it anew asks for looked up once.
     struct Word {
         Scalar scalar = Scalar::float32;
         double lower = 0, extent = 0;      ///< real, whole: from where, and how far
-        std::vector<std::uint32_t> values; ///< listed: boundary values, then the domain's
+        std::vector<std::uint32_t> values; ///< boundary values, one at least, then the domain's list
         std::size_t boundary_values = 0;
         std::vector<Way> ways;
         std::array<std::uint8_t, 128> way_of{}; ///< by seven random bits
@@ -65,8 +68,7 @@ private:
 
     const Case& case_;
     const Sampler& sampler_;
-    std::uint64_t seed_;
-    Random::Streams variations_;
+    Random::Streams beginnings_, variations_;
     std::size_t block_size_;
     std::vector<Word> words_;
 };

@@ -22,7 +22,7 @@ public:
     std::vector<std::size_t> to_look_at(const Records& records, std::span<const std::uint32_t> results) const;
 
     /// A record as a reference takes it, and whether it lies in the case's domain: arguments() and
-    /// in_domain().
+    /// in_domain() of references without a truth, which take denormals.
     struct Read {
         Arguments arguments;
         bool inside;
@@ -30,7 +30,7 @@ public:
     Read read(std::span<const std::uint32_t> words, const Mask* mask) const;
 
 private:
-    /// A word that takes the numbers of an interval.
+    /// A word that takes the numbers of an interval: any but NaN where they are listed, see Choices.
     struct Bounded {
         std::size_t word;
         Scalar scalar;
@@ -49,7 +49,7 @@ private:
     };
 
     const Case& case_;
-    std::vector<Bounded> floats_, wholes_;
+    std::vector<Bounded> floats_, wholes_; ///< apart: of floats nobody need ask for the scalar
     std::vector<Few> few_;
     std::vector<Choices> choices_;
 };
