@@ -167,8 +167,9 @@ private:
 
     Request request_of(std::uint64_t unit) const {
         const std::size_t kernel = plan_.kernel_of(unit);
-        return {kernel, plan_.round_of(unit), plan_.sizes[kernel], true, findings_.known(kernel, unit), {},
-                false};
+        return {
+            kernel, plan_.round_of(unit), plan_.sizes[kernel], true, {}, findings_.known(kernel, unit), {},
+            false};
     }
 
     void take_in(std::uint64_t unit, const Reply& reply) {
@@ -202,8 +203,23 @@ private:
         }
     }
 
-    /// A unit took its worker down: which of the batch's inputs does so alone? What else the unit would have
-    /// told is not asked again: its later batches died with it.
+    /// What a unit finds in its first batches, or in all. If it dies again, as it is met, for shrinking may
+    /// be what took the worker down, and in fewer batches.
+    UnitResult found_again(Workers& workers, std::size_t worker, Request request,
+                           std::optional<std::size_t> batches, bool shrink) {
+        request.part.reset();
+        for (;;) {
+            if (batches == 0u) return {};
+            request.batches = batches;
+            request.shrink = shrink;
+            Outcome again = workers.ask(worker, request);
+            if (again.reply.result) return std::move(*again.reply.result);
+            if (!std::exchange(shrink, false)) batches = again.batch;
+        }
+    }
+
+    /// A unit took its worker down: which of the batch's inputs does so alone? What it found before that died
+    /// with it and is asked again; what later batches would have told is not.
     Reply post_mortem(Workers& workers, std::size_t worker, std::uint64_t unit, const Outcome& outcome) {
         const std::string failure = outcome.death.empty() ? timeout : crash;
         const std::string how =
@@ -216,24 +232,21 @@ private:
             return again.death.empty() && again.reply.timeout.empty();
         };
         Reply reply;
-        reply.result.emplace();
         Regression regression{c.name, failure, {}, how, "an end", to_string(c.tolerance), {}};
-        if (findings_.known(plan_.kernel_of(unit), unit).contains(failure)) { // once is enough: it takes long
+        if (request.known.contains(failure)) { // once is enough: it takes long
+            reply.result = found_again(workers, worker, request, outcome.batch + 1, false);
             reply.result->found.push_back({regression, false});
             return reply;
         }
         const std::size_t all = unit_size(c);
-        if (survives(0, all)) {
-            // Not the batch: so what shrinking tried. What was found is kept as it was met.
-            request.part.reset();
-            request.shrink = false;
-            Outcome again = workers.ask(worker, request);
-            if (again.reply.result) reply.result = std::move(again.reply.result);
+        if (survives(0, all)) { // not the batch: so what shrinking tried
+            reply.result = found_again(workers, worker, request, {}, false);
             regression.found = fmt::format("unit {}, batch {}, seed {:#x}: not seen again", unit,
                                            outcome.batch, options_.seed);
             reply.result->found.push_back({regression, false});
             return reply;
         }
+        reply.result = found_again(workers, worker, request, outcome.batch, true);
         // Survivals are cheap and deaths are not: ever longer beginnings, then halves of what the last one
         // added.
         std::size_t begin = 0, end = 1;

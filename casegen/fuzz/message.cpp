@@ -65,9 +65,11 @@ Request request_of(const Json& object) {
                     whole<std::uint64_t>(object.at("round")),
                     whole<std::size_t>(object.at("evaluations")),
                     object.at("shrink").get<bool>(),
+                    {},
                     object.at("known").get<std::set<std::string>>(),
                     {},
                     object.at("tell_inputs").get<bool>()};
+    if (object.contains("batches")) request.batches = whole<std::size_t>(object.at("batches"));
     if (object.contains("part")) {
         const Json& part = object.at("part");
         request.part = Part{whole<std::size_t>(part.at(0)), whole<std::size_t>(part.at(1)),
@@ -124,6 +126,7 @@ void require_input_of(const Case& c, const Input& input) {
 std::string format_request(const Request& request) {
     Json object{{"kernel", request.kernel}, {"round", request.round}, {"evaluations", request.evaluations},
                 {"shrink", request.shrink}, {"known", request.known}, {"tell_inputs", request.tell_inputs}};
+    if (request.batches) object["batches"] = *request.batches;
     if (request.part) object["part"] = {request.part->batch, request.part->begin, request.part->end};
     return dump(object);
 }

@@ -14,6 +14,7 @@ struct Request {
     std::uint64_t round = 0;
     std::size_t evaluations = 0;
     bool shrink = true;
+    std::optional<std::size_t> batches; ///< of the unit, only the first ones
     std::set<std::string> known;
     std::optional<Part> part; ///< only this, only to see whether it survives
     bool tell_inputs = false; ///< only how `part` reads

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace gnomon::fuzz {
@@ -229,7 +230,8 @@ UnitResult Fuzzer::Impl::run_chain(const Chain& chain, const Unit& unit, const s
     const ChainBatches batches(chain, options, unit, pool(unit.round / units_per_epoch));
     UnitResult result;
     std::set<std::string> told = known;
-    for (std::size_t number = 0; result.evaluations < batches.total(); ++number) {
+    const std::size_t end = unit.batches.value_or(std::numeric_limits<std::size_t>::max());
+    for (std::size_t number = 0; result.evaluations < batches.total() && number < end; ++number) {
         batch = static_cast<std::uint32_t>(number);
         const std::vector<Input> inputs = batches.batch(number);
         const std::vector<std::string> failures = judge(inputs);
@@ -328,7 +330,8 @@ UnitResult Fuzzer::run(const Unit& unit, const std::set<std::string>& known,
         }
         tell_together(failure, found_as(input_of(records, those.front())));
     };
-    for (std::size_t number = 0; result.evaluations < batches.total(); ++number) {
+    const std::size_t end = unit.batches.value_or(std::numeric_limits<std::size_t>::max());
+    for (std::size_t number = 0; result.evaluations < batches.total() && number < end; ++number) {
         batch = static_cast<std::uint32_t>(number);
         const Records records = batches.batch(number);
         const Outputs outputs = subject.run(records);

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,9 +29,10 @@ struct FuzzerOptions {
 
 struct Unit {
     const Case* kernel = nullptr;
-    std::uint64_t round = 0;     ///< the first one begins with all of the kernel's fixed samples
-    std::size_t evaluations = 0; ///< in whole batches, the last may be cut; fixed samples come on top
-    bool shrink = true;          ///< else failures are told as they were met
+    std::uint64_t round = 0;            ///< the first one begins with all of the kernel's fixed samples
+    std::size_t evaluations = 0;        ///< in whole batches, the last may be cut; fixed samples come on top
+    bool shrink = true;                 ///< else failures are told as they were met
+    std::optional<std::size_t> batches; ///< only so many of its first
 };
 
 /// A failure, shrunk.

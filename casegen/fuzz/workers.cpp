@@ -21,7 +21,8 @@ constexpr double patience = 300;
 std::string serve(Fuzzer& fuzzer, std::span<const Case* const> cases, std::atomic<std::uint32_t>& batch,
                   const std::string& text) {
     const Request request = parse_request(text);
-    const Unit unit{cases[request.kernel], request.round, request.evaluations, request.shrink};
+    const Unit unit{cases[request.kernel], request.round, request.evaluations, request.shrink,
+                    request.batches};
     Reply reply;
     try {
         if (request.tell_inputs) {

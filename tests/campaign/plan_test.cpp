@@ -129,12 +129,13 @@ TEST(fuzz_pool, holds_masks_of_many_sizes_and_tiny_ones) {
 }
 
 TEST(message, requests_and_replies_arrive_as_they_were_sent) {
-    const Request request{3, 1ull << 60, 77, false, {"wrong", "NaN"}, Part{1, 2, 3}, true};
+    const Request request{3, 1ull << 60, 77, false, 5, {"wrong", "NaN"}, Part{1, 2, 3}, true};
     const Request read = parse_request(format_request(request));
     EXPECT_EQ(read.kernel, request.kernel);
     EXPECT_EQ(read.round, request.round);
     EXPECT_EQ(read.evaluations, request.evaluations);
     EXPECT_EQ(read.shrink, request.shrink);
+    EXPECT_EQ(read.batches, request.batches);
     EXPECT_EQ(read.known, request.known);
     ASSERT_TRUE(read.part);
     EXPECT_EQ(read.part->end, 3u);
