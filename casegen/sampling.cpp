@@ -22,7 +22,8 @@ constexpr std::size_t most_combinations = 4096;
 double draw_float(Random& random, double lower, double upper) {
     const std::uint64_t bits = random.bits();
     const std::uint64_t choice = bits & 3, fraction = bits >> 11; // 53 bits
-    // All three ways, for the processor would guess half the time wrongly which is taken.
+    // All three are drawn: which of them is taken a processor would mostly guess wrongly, which costs it
+    // more.
     const double unit = to_double(fraction) * 0x1p-53;
     const auto drawn = static_cast<double>(static_cast<float>(lower + (upper - lower) * unit));
     const double uniform = std::clamp(drawn, lower, upper); // rounding to float may leave the interval

@@ -203,8 +203,8 @@ private:
         }
     }
 
-    /// What a unit finds in its first batches, or in all. If it dies again, as it is met, for shrinking may
-    /// be what took the worker down, and in fewer batches.
+    /// What a unit finds in so many batches, or in all. If that is fatal too, without shrinking, which may be
+    /// what is fatal; then in the batches before the one that is.
     UnitResult found_again(Workers& workers, std::size_t worker, Request request,
                            std::optional<std::size_t> batches, bool shrink) {
         request.part.reset();

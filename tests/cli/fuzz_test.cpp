@@ -176,26 +176,28 @@ TEST_F(fuzz_verb, survives_kernels_that_do_not_end_and_narrows_them_to_one_call)
     EXPECT_GE(json.at("kernels").at(1).at("evaluations").get<int>(), 50000) << "the other one went on";
 }
 
-/// smsr/case_09, wrong for one input in ten, which crashes where the condition holds: nobody checks the
-/// bounds of shared memory.
-std::string crashing_if(const std::string& condition) {
-    return fmt::format(R"(// Wrong, and fatal.
-shared uint memory[4];
-float smsr_case_09(vec2 p, float along_x) {{
-    bool fatal = {};
-    uint beyond = fatal ? memory[floatBitsToUint(along_x) | 0x20000000u] : 0u;
-    return 1.0 - p.y < 0.9 * along_x ? 0.0 : beyond == 77u ? 0.5 : 1.0;
-}}
-)",
-                       condition);
-}
+/// A smsr/case_09 that is wrong for one input in ten and crashes where the condition holds: nobody checks the
+/// bounds of shared memory. What it reads there decides a result, or else nobody would read it.
+class FatalKernels : public ChangedKernels {
+public:
+    explicit FatalKernels(const std::string& condition)
+        : ChangedKernels(
+              "smsr/case_09.glsl",
+              "float smsr_case_09(vec2 p, float along_x) {\n"
+              "    return 1.0 - p.y < along_x ? 0.0 : 1.0;",
+              "shared uint memory[4];\n"
+              "float smsr_case_09(vec2 p, float along_x) {\n"
+              "    bool fatal = " +
+                  condition +
+                  ";\n"
+                  "    uint beyond = fatal ? memory[floatBitsToUint(along_x) | 0x20000000u] : 0u;\n"
+                  "    return 1.0 - p.y < 0.9 * along_x ? 0.0 : beyond == 77u ? 0.5 : 1.0;") {}
+};
 
 TEST_F(fuzz_verb, keeps_what_a_unit_found_before_it_took_its_worker_down) {
-    const ChangedKernels changed("smsr/case_09.glsl", "return", "return 0.0 *");
     // One in 131072, which this seed meets in its third batch.
-    write_file(changed.folder() / "smsr/case_09.glsl",
-               crashing_if("(floatBitsToUint(p.x) * 2654435761u) >> 15 == 17u"));
-    const Ran ran = fuzz({"smsr/case_09", "--samples", "250000"}, changed.folder());
+    const FatalKernels fatal("(floatBitsToUint(p.x) * 2654435761u) >> 15 == 17u");
+    const Ran ran = fuzz({"smsr/case_09", "--samples", "250000"}, fatal.folder());
     EXPECT_EQ(ran.exit_code, 1) << ran.err;
     ASSERT_EQ(files().size(), 2u) << ran.out;
     EXPECT_EQ(file(0).at("failure"), "crash");
@@ -205,16 +207,14 @@ TEST_F(fuzz_verb, keeps_what_a_unit_found_before_it_took_its_worker_down) {
 }
 
 TEST_F(fuzz_verb, keeps_what_it_found_although_shrinking_it_is_fatal) {
-    const ChangedKernels changed("smsr/case_09.glsl", "return", "return 0.0 *");
     // What the first failure shrinks to; drawn in the last batch too, so that asking again is fatal as well.
-    write_file(changed.folder() / "smsr/case_09.glsl",
-               crashing_if("p == vec2(0.0, 0.25) && along_x == 0.8125"));
-    const Ran ran = fuzz({"smsr/case_09", "--samples", "250000"}, changed.folder());
-    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+    const FatalKernels fatal("p == vec2(0.0, 0.25) && along_x == 0.8125");
+    const Ran ran = fuzz({"smsr/case_09", "--samples", "250000"}, fatal.folder());
     EXPECT_THAT(ran.out, HasSubstr("FAIL smsr/case_09: crash"));
     ASSERT_EQ(files().size(), 1u) << ran.out;
     EXPECT_EQ(file().at("failure"), "wrong");
     EXPECT_NE(file().at("input").at("p_x"), "0x0p+0") << "as it was met";
+    EXPECT_EQ(ran.exit_code, 1) << ran.err;
 }
 
 TEST_F(fuzz_verb, survives_a_crash_and_says_of_which_kernel) {
